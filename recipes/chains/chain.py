@@ -14,7 +14,7 @@ from rupture.errors import Failure, UsageError
 from rupture.programs import DRAWING, output_of
 from reproduce.project import SHARE
 from chains.programs import PLAIN
-from chains.ini import check_known, errors_of, is_values, needs_of, read_ini
+from chains.ini import check_known, errors_of, is_values, needs_of, new_ini
 from chains.values import is_expression, values_of
 
 RECIPES = SHARE / "recipes"
@@ -58,7 +58,8 @@ class Chain:
             beside = ", ".join(sorted(one.stem for one in self.path.parent.glob("*.ini")))
             raise UsageError(f"there is no chain {self.shown}; beside it are {beside or 'none'}")
         with errors_of(self.shown):
-            ini = read_ini(self.path)
+            ini = new_ini()
+            ini.read_string(self.path.read_text(encoding="utf-8-sig"), str(self.path))
             self.own = {name: in_one_line(ini[name]) for name in ini.sections()}
         is_sweep = "sweep" in self.own  # as files of version 0.4 call it
         if is_sweep:
@@ -113,18 +114,21 @@ class Chain:
 
     @cached_property
     def points(self):
-        """What `points` says, by the names in SELECTION; nothing if it is not there."""
-        with self.errors_at("chain", "points"):
-            if "points" not in self.keys:
-                return None
-            found = SELECTION.fullmatch(text := self.keys["points"])
-            if not found and text.endswith(".csv"):  # any name of a file
-                return {"chain": text, **dict.fromkeys(("first", "element", "list", "condition"))}
-            if not found or bool(found["element"]) != bool(found["list"]):
-                raise UsageError(
-                    "write points = CHAIN, or NAME in CHAIN: LIST; then where CONDITION"
-                )
-            return found.groupdict()
+        """What `points` says, by the names in SELECTION; None for what it does not say."""
+        text, nothing = self.keys.get("points", ""), dict.fromkeys(SELECTION.groupindex)
+        found = SELECTION.fullmatch(text)
+        if not text or (not found and text.endswith(".csv")):  # any name of a file
+            return nothing | {"chain": text}
+        if not found or bool(found["element"]) != bool(found["list"]):
+            sentence = "write points = CHAIN, or NAME in CHAIN: LIST; then where CONDITION"
+            raise self.error("chain", "points", sentence)
+        return found.groupdict()
+
+    @property
+    def table(self):
+        """The file if its points are the rows of a table."""
+        name = self.points["chain"]
+        return self.path.parent / name if name.endswith(".csv") else None
 
     @cached_property
     def keep(self):

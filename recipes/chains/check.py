@@ -29,7 +29,7 @@ def check(chains, chain):
             with chain.errors_at(section, name):
                 for text in filter(is_expression, texts):
                     check_expression(text[1:-1], names)
-    if chain.points and chain.points["condition"]:
+    if chain.points["condition"]:
         with chain.errors_at("chain", "points"):
             check_expression(chain.points["condition"], names)
     with chain.errors_at("chain", "base"):
@@ -46,15 +46,14 @@ def names_of(chains, chain):
     """All names that its points have."""
     above = chains.above(chain)
     names = names_of(chains, above) if above else set()
-    if chain.points and (of_list := chain.points["list"]):
+    if of_list := chain.points["list"]:
         with chain.errors_at("chain", "points"):
             check_expression(of_list, names)
         names |= {chain.points["element"]}
     values = {name for lists in chain.lists.values() for name in lists}
     if len(chain.lists) > 1 or "values" not in chain.lists:
         values |= {"variant"} if chain.lists else set()
-    others = values | ({chain.points["element"]} if chain.points else set())
-    for name in others.intersection(chain.commands):
+    for name in {*values, chain.points["element"]}.intersection(chain.commands):
         raise chain.error(
             "commands", name, f"'{name}' is the name of a value, too; take another one"
         )

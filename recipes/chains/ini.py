@@ -26,14 +26,12 @@ def is_values(section):
     return section == "values" or section.startswith("variant ")
 
 
-def read_ini(path):
-    """The sections of a file as they are written."""
+def new_ini():
+    """Sections as they are written."""
     ini = configparser.RawConfigParser(
         default_section="", delimiters="=", inline_comment_prefixes="#;"
     )
     ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
-    with open(path, encoding="utf-8-sig") as file:
-        ini.read_file(file)
     return ini
 
 

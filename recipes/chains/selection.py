@@ -57,7 +57,7 @@ class Chains:
 
     def above(self, chain):
         """The chain that its points come from; None if there is none."""
-        if not chain.points or chain.points["chain"].endswith(".csv"):
+        if chain.table or not chain.points["chain"]:
             return None
         with chain.errors_at("chain", "points"):
             return self.load(chain.path.parent / f"{chain.points['chain']}.ini")
@@ -69,20 +69,17 @@ class Chains:
         return self.made[chain.path]
 
     def make(self, chain):
-        points = chain.points or {}
         with chain.errors_at("chain", "points"):
             found = [*self.all_points(chain)]
-            if condition := points.get("condition"):
+            if condition := chain.points["condition"]:
                 found = those(lambda one: one.worked_out(condition, one.look_up), found)
         each(lambda one: one.id, found)  # its base may wait, too
-        return found[:1] if points.get("first") else found
+        return found[:1] if chain.points["first"] else found
 
     def all_points(self, chain):
         """Every start with every combination of values; the last name varies fastest."""
         starts = list(self.starts(chain))
-        rows: list[dict] = [{}]
-        if chain.points and chain.points["chain"].endswith(".csv"):
-            rows = rows_in(chain.path.parent / chain.points["chain"])
+        rows = rows_in(chain.table) if chain.table else [{}]
         found = products(dict(chain.lists), rows)
         count = len(starts) * sum(math.prod(map(len, lists.values())) for lists in found)
         if count > LIMIT:
@@ -96,7 +93,7 @@ class Chains:
         """Pairs: the point that others come from, and {name: element of a list of its report}."""
         above = self.above(chain)
         starts = self.points(above) if above else [None]
-        if not (chain.points or {}).get("list"):
+        if not chain.points["list"]:
             return [(point, {}) for point in starts]
         starts = [point for point in starts if may_start(chain, point)]
         lists = each(lambda point: point.worked_out(chain.points["list"], point.known), starts)

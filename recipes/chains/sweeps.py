@@ -1,7 +1,6 @@
 """A user's sweep (docs/sweeps.md): its chain, checked against what the programs say of themselves,
 and what is there of its points. RESULTS/sweeps/NAME/NAME.ini is the sweep as it was run."""
 
-import configparser
 import io
 import os
 import re
@@ -18,7 +17,7 @@ from chains.store import RESULTS, read, result_of, write_own
 from rupture.errors import UsageError
 from reproduce.written import take
 from chains.programs import check_columns, check_points
-from chains.ini import errors_of
+from chains.ini import errors_of, new_ini
 from chains.values import references
 
 ENDINGS = (".ini", ".csv", ".hdf5", ".png", ".pdf")
@@ -60,7 +59,9 @@ class OwnSweep:
             if not chain.is_ours and (points := self.chains.made.get(chain.path)):
                 with chain.errors_at("values", ""):
                     units |= check_points(points, self.chains.programs)
-        names = [name for one in self.lineage for lists in one.lists.values() for name in lists]
+        lists = [one for chain in self.lineage for one in chain.lists.values()]
+        self.lists = [item for one in lists for item in one.items()]
+        names = [name for name, _ in self.lists]
         columns, of_columns = check_columns(self.chain, names, self.chains.programs)
         self.sweep = Sweep(
             title=self.chain.keys.get("title", self.chain.path.stem),
@@ -90,9 +91,7 @@ class OwnSweep:
 
     def varied(self):
         """Names of the values that differ between points, and follow no others."""
-        lists = [one for chain in self.lineage for one in chain.lists.values()]
-        lists = [item for one in lists for item in one.items()]
-        follows = {name for name, texts in lists if len(texts) == 1 and references(texts[0])}
+        follows = {name for name, texts in self.lists if len(texts) == 1 and references(texts[0])}
         rows = [point.texts(point.look_up) for point in self.points or ()]
         names = dict.fromkeys(name for row in rows for name in row if name not in follows)
         return [name for name in names if len({row.get(name) for row in rows}) > 1]
@@ -121,12 +120,11 @@ class OwnSweep:
         own.pop("like", None)
         if len(self.chain.copies) == 1:
             own["base"] = os.path.relpath(next(iter(self.chain.copies.values())), self.stem.parent)
-        if own.get("points", "").endswith(".csv"):
+        if self.chain.table:
             copy = self.stem.with_name(f"{self.stem.name}-points.csv")
-            write_own(copy, (self.chain.path.parent / own["points"]).read_bytes())
-            own["points"] = copy.name
-        ini = configparser.RawConfigParser(default_section="", delimiters="=")
-        ini.optionxform = str  # type: ignore[method-assign, assignment]
+            write_own(copy, self.chain.table.read_bytes())
+            own["points"] = own["points"].replace(self.chain.points["chain"], copy.name)
+        ini = new_ini()
         ini.read_dict(sections)
         text = io.StringIO()
         ini.write(text)
