@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Any
 
 from chains.point import HOLE, PROGRAMS
 from measure.conventions import SETS
+from measure.conventions import words_of as options_of
 from chains.store import RESULTS, write_own
 from rupture.errors import Failure, UsageError
 from rupture.programs import DRAWING, output_of
@@ -100,6 +102,20 @@ class Chain:
         """{name: command}, as they are written."""
         lines = self.sections.get("commands", {})
         return {name: line.removeprefix("rupture ") for name, line in lines.items()}
+
+    @cached_property
+    def typed(self):
+        """The commands as they are typed: a script is named by its path in the project, a
+        checkpoint as programs write its time (x-t{0.2}.h5), and --also has ways to measure."""
+        found = {}
+        for name, line in self.commands.items():
+            if line.startswith(f"{SCRIPT} "):
+                _, script, *words = line.split(None, 2)
+                line = " ".join([SCRIPT, self.in_project(script), *words])
+            line = re.sub(r"(?<=-t)\{([\d.]+)\}(?=\.h5)", lambda at: time_in_name(at[1]), line)
+            ways = "; ".join(" ".join(options_of(way)) for way in ways_in(line).values())
+            found[name] = ALSO.sub(lambda _: f"--also {shlex.quote(ways)}", line)
+        return found
 
     @cached_property
     def lists(self):
@@ -226,11 +242,16 @@ def copy_of(base):
     return copy
 
 
+def time_in_name(text):
+    """A time in the name of a checkpoint, as programs write it."""
+    return f"{float(text):.9f}"
+
+
 def kept_names(word):
     """A file; with {TIMES} in place of a time, the checkpoints that a program writes then."""
     holes = HOLE.findall(word)
     times = values_of(holes[0]) if holes else [""]
-    names = [HOLE.sub(f"{float(t):.9f}", word) if holes else word for t in times]
+    names = [HOLE.sub(time_in_name(t), word) if holes else word for t in times]
     for name in names:
         if not PLAIN.fullmatch(name) or name.endswith(".json"):
             raise UsageError(f"'{name}' is not the name of a file in the point's own folder")

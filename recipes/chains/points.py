@@ -11,12 +11,11 @@ import shlex
 from functools import cached_property
 from pathlib import Path
 
-from chains.chain import ALL, ALSO, BASE, SCRIPT, kept_names, ways_in
+from chains.chain import ALL, BASE, kept_names, ways_in
 from chains.expressions import Expression, as_number, as_text, first_known
 from chains.digests import digest_of_tool
 from chains.point import HOLE
 from chains.store import STORE, digest, is_current, origin_of, result_of, sources_of, tools_of
-from measure.conventions import words_of
 from chains.values import is_expression
 from rupture.errors import UsageError
 
@@ -203,17 +202,10 @@ class Point:
     def commands(self):
         self.lists = {}  # path: text, points
         found = {}
-        for name, line in self.chain.commands.items():
+        for name, line in self.chain.typed.items():
             with self.chain.errors_at("commands", name):
-                found[name] = self.filled(with_ways(with_times(self.with_script(line))))
+                found[name] = self.filled(line)
         return found
-
-    def with_script(self, line):
-        """A script is named by its path in the project."""
-        if not line.startswith(f"{SCRIPT} "):
-            return line
-        _, name, *words = line.split(None, 2)
-        return " ".join([SCRIPT, self.chain.in_project(name), *words])
 
     def waits_for(self, texts, found):
         """{name: [value], or the file with the report} for the names in holes that are left."""
@@ -324,17 +316,6 @@ class Point:
         values = ", ".join(f"{name} {text}" for name, text in texts.items() if text is not None)
         name = self.chain.name
         return f"{name}: {values}" if values else name
-
-
-def with_times(line):
-    """Times of checkpoints, x-t{0.2}.h5, as programs write them."""
-    return re.sub(r"(?<=-t)\{[\d.]+\}(?=\.h5)", lambda at: f"{float(at[0][1:-1]):.9f}", line)
-
-
-def with_ways(line):
-    """`--also SET` as it is typed: with the options of these ways to measure."""
-    ways = [" ".join(words_of(way)) for way in ways_in(line).values()]
-    return ALSO.sub(lambda _: f"--also {shlex.quote('; '.join(ways))}", line)
 
 
 def as_options(values):

@@ -31,21 +31,17 @@ def text_of(number):
     return f"{number:.12g}"
 
 
-@functools.cache  # the points of a sweep repeat it
-def parsed(text, names):
-    return Expression(REFERENCE.sub(r"\1", text), names)
-
-
 @functools.cache
 def references(text):
     return {*REFERENCE.findall(text)}
 
 
+@functools.cache  # many points have the same
 def calculate(text, values):
-    """The number, as a text, that follows from other values, whose names are in braces."""
-    numbers = {name: as_number(values[name]) for name in references(text) if name in values}
+    """The number, as a text, that follows from other values: pairs of a name and its text."""
+    numbers = {name: as_number(value) for name, value in values}
     try:
-        number = parsed(text, (*sorted(numbers),)).value(numbers.__getitem__)
+        number = Expression(REFERENCE.sub(r"\1", text), numbers).value(numbers.__getitem__)
         if isinstance(number, bool) or not isinstance(number, (int, float)):
             raise ValueError("it is no number")
         return text_of(number)
@@ -64,7 +60,9 @@ def calculated(values):
         ready = [name for name, text in waiting.items() if not references(text) & waiting.keys()]
         if not ready:
             raise UsageError(f"{', '.join(waiting)}: a value cannot depend on itself")
-        known |= {name: calculate(waiting.pop(name), known) for name in ready}
+        for name in ready:
+            others = sorted(references(waiting[name]) & known.keys())
+            known[name] = calculate(waiting.pop(name), tuple((n, known[n]) for n in others))
     return values | known
 
 
