@@ -35,11 +35,6 @@ BASE = re.compile(r"(?:(?P<chain>[\w./-]+): )?(?P<file>.+)")
 ALSO = re.compile(r"--also (\w+)(?=\s|$)")  # a set of ways to measure
 
 
-def in_one_line(section):
-    """What goes on in an indented line is one text."""
-    return {key: " ".join(text.splitlines()) for key, text in section.items()}
-
-
 def ways_in(line):
     """{way to measure: options} of the set that `--also SET` names."""
     found = ALSO.search(line)
@@ -54,6 +49,7 @@ class Chain:
 
     def __init__(self, path, read=()):
         self.path = Path(os.path.abspath(path))
+        self.copies: dict[Path, str] = {}  # of files from which points start
         if self.path in read:
             raise UsageError(f"{self.shown}: 'like' leads back to the same file")
         if not self.path.exists():
@@ -62,7 +58,10 @@ class Chain:
         with errors_of(self.shown):
             ini = new_ini()
             ini.read_string(self.path.read_text(encoding="utf-8-sig"), str(self.path))
-            self.own = {name: in_one_line(ini[name]) for name in ini.sections()}
+            self.own = {  # what goes on in an indented line is one text
+                name: {key: " ".join(text.splitlines()) for key, text in ini[name].items()}
+                for name in ini.sections()
+            }
         is_sweep = "sweep" in self.own  # as files of version 0.4 call it
         if is_sweep:
             self.own["chain"] = self.own.pop("sweep")
@@ -88,10 +87,8 @@ class Chain:
 
     @property
     def name(self):
-        """As recipes call it."""
-        return (
-            str(self.path.relative_to(RECIPES).with_suffix("")) if self.is_ours else self.path.stem
-        )
+        """As recipes call it: fig3/edges."""
+        return str(self.path.relative_to(RECIPES if self.is_ours else self.path.parent))[:-4]
 
     @property
     def keys(self):
@@ -162,22 +159,15 @@ class Chain:
         with self.errors_at("chain", "memory" if "memory" in self.keys else "threads"):
             return needs_of(self.keys)
 
-    @cached_property
-    def copies(self):
-        """{base of a user's chain: its copy, which is named after its content}."""
-        return {}
-
     def in_project(self, name):
         """A file beside this one, by its path in the project."""
         return os.path.relpath(self.path.parent / name, SHARE)
 
     def start_at(self, path):
-        """The file from which points start, as commands name it."""
-        if self.is_ours:
-            return self.in_project(path)
-        if path not in self.copies:
+        """The file from which points start, as commands name it: of users' chains a copy."""
+        if not self.is_ours and path not in self.copies:
             self.copies[path] = str(copy_of(path))
-        return self.copies[path]
+        return self.in_project(path) if self.is_ours else self.copies[path]
 
     def line_of(self, section, key):
         """Where the file says it; 0 if another one does, which this one is like."""
@@ -194,11 +184,9 @@ class Chain:
         """Raises one sentence with the file and the line for what is wrong there."""
         try:
             yield
-        except UsageError as error:
-            if "\n" in str(error) or re.match(r"\S+\.ini[:,] ", str(error)):
+        except (UsageError, ValueError) as error:
+            if re.match(r"\S+\.ini[:,] ", str(error)):
                 raise
-            raise self.error(section, key, error) from None
-        except ValueError as error:
             raise self.error(section, key, error) from None
 
     def error(self, section, key, sentence):
@@ -217,11 +205,8 @@ class Chain:
             for key, text in lines.items():
                 with self.errors_at(section, key):
                     if section in KEYS:
-                        check_known(
-                            key,
-                            KEYS[section],
-                            f"[{heading if section == 'chain' else section}] has no key",
-                        )
+                        shown = heading if section == "chain" else section
+                        check_known(key, KEYS[section], f"[{shown}] has no key")
                     if not text and section != "units":
                         raise UsageError(f"'{key}' in [{section}] has no value")
 

@@ -8,6 +8,7 @@ import json
 import os
 import re
 import shlex
+from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 
@@ -102,12 +103,11 @@ class Point:
     def texts(self, look_up):
         """{name: its value as a text}, with those of the points that it comes from; None if that is
         null, or not known yet."""
-        found = {}
+        found: dict[str, str | None] = {}
         for name in (name for point in reversed(self.lineage) for name in point.values):
-            try:
+            found[name] = None
+            with suppress(Waiting, ValueError):
                 found[name] = self.text(name, look_up)
-            except (Waiting, ValueError):
-                found[name] = None
         return found
 
     def report(self, name):
@@ -140,9 +140,9 @@ class Point:
         try:
             return self.text(name)
         except Waiting as what:
-            if what.args[0] in self.chain.commands:
-                return None
-            raise
+            if what.args[0] not in self.chain.commands:
+                raise
+        return None
 
     def listed(self, hole):
         """The file for a script with the points that {all CHAIN where CONDITION} names."""
@@ -255,11 +255,8 @@ class Point:
             if not earlier:
                 raise UsageError(f"{kept.chain.shown} keeps no {text} before {time}")
             return times[max(earlier)]
-        return next(iter(kept_names(HOLE.sub(lambda hole: self.in_name(hole[1]), text))))
-
-    def in_name(self, hole):
-        """A time stays in its braces, for kept_names()."""
-        return "{%s}" % hole if re.fullmatch(r"[\d.]+", hole) else self.text(hole)
+        plain = re.sub(r"\{([^{}]*[^{}\d.][^{}]*)\}", lambda hole: self.text(hole[1]), text)
+        return kept_names(plain)[0]  # with times, which stayed in their braces
 
     @cached_property
     def work(self):
@@ -282,10 +279,9 @@ class Point:
     def inputs(self):
         """Files of other points, or of the user, on which its result depends."""
         base = [self.base["file"], self.base["of"]] if self.base else []
-        listed = [
-            one.path for _, points in self.lists.values() for p in points for one in p.lineage
-        ]
-        return [file for file in (*base, *sources_of(self.work), *self.lists, *listed) if file]
+        listed = [point for _, points in self.lists.values() for point in points]
+        reports = [one.path for point in listed for one in point.lineage]
+        return [file for file in (*base, *sources_of(self.work), *self.lists, *reports) if file]
 
     @cached_property
     def id(self):
@@ -312,10 +308,9 @@ class Point:
 
     @property
     def described(self):
-        texts = self.texts(self.look_up)
-        values = ", ".join(f"{name} {text}" for name, text in texts.items() if text is not None)
-        name = self.chain.name
-        return f"{name}: {values}" if values else name
+        texts = self.texts(self.look_up).items()
+        values = ", ".join(f"{name} {text}" for name, text in texts if text is not None)
+        return f"{self.chain.name}: {values}" if values else self.chain.name
 
 
 def as_options(values):
