@@ -7,8 +7,8 @@ from pathlib import Path
 
 from chains.point import note
 from chains.results import read_chains
-from claims.claim import Number, write_claims
-from claims.judge import table
+from claims.claim import write_claims
+from claims.judge import judge
 from chains.script import module_at
 from rupture.errors import Failure
 
@@ -20,13 +20,10 @@ def say_failed(name, points):
         print(f"  {name}: {count} of {len(points)} points failed: {sentence}")
 
 
-def make(script, chains, results):
+def make(recipe, chains, results):
     """Draws, and writes tables and claims.json. `chains`: {name: points} (results.py)."""
-    rows = module_at(script).make(chains, results)
-    numbers = [row for row in rows if isinstance(row, Number)]
-    claims = [row for row in rows if not isinstance(row, Number)]
-    claims.sort(key=lambda claim: list(table()).index(claim.id))
-    write_claims(results / "claims.json", claims, numbers)
+    numbers = module_at(f"recipes/{recipe}/figure.py").make(chains, results) or []
+    write_claims(results / "claims.json", judge(recipe, chains), numbers)
 
 
 def main(recipe):
@@ -36,7 +33,7 @@ def main(recipe):
         say_failed(name, points)
     script = f"recipes/{recipe}/figure.py"
     try:
-        make(script, chains, results)
+        make(recipe, chains, results)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
     files = [path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1]

@@ -1,5 +1,6 @@
-"""Expressions in chain files: numbers, texts, names, arithmetic, comparisons and a few functions.
-They are parsed and then worked out here, never run. Mistakes are ValueErrors.
+"""Expressions in chain files and in claims.toml: numbers, texts, names, arithmetic, comparisons,
+lists and a few functions. They are parsed and then worked out here, never run. Mistakes are
+ValueErrors.
 
 Null is None. What is computed from it is null, and so is a comparison with it."""
 
@@ -7,6 +8,7 @@ import ast
 import math
 import operator
 import re
+import statistics
 from functools import cache
 
 from rupture.units import in_si
@@ -31,19 +33,23 @@ COMPARISONS = {
 }
 FUNCTIONS = {
     "abs": abs,
+    "enumerate": lambda values: list(enumerate(values)),
     "known": lambda values: [value for value in values if value is not None],
     "len": len,
     "max": lambda *values: extreme(max, *values),
+    "median": lambda values: extreme(statistics.median, values) if values else None,
     "min": lambda *values: extreme(min, *values),
     "round": round,
     "sqrt": math.sqrt,
+    "zip": lambda *lists: list(zip(*lists)),
 }
 ALLOWED = (
     *(ast.Expression, ast.Name, ast.Attribute, ast.Subscript, ast.Tuple, ast.List, ast.BinOp),
     *(ast.UnaryOp, ast.BoolOp, ast.Compare, ast.And, ast.Or, ast.Is, ast.IsNot, ast.Load),
+    *(ast.ListComp, ast.comprehension, ast.Slice, ast.Store),
     *(*ARITHMETIC, *SIGNS, *COMPARISONS),
 )
-MAY_HAVE = "numbers, texts, names, + - * / **, comparisons, and, or, not, " + (
+MAY_HAVE = "numbers, texts, names, + - * / **, comparisons, and, or, not, [a for b in c if d], " + (
     ", ".join(f"{name}()" for name in FUNCTIONS)
 )
 MINUS = "_minus_"  # stands for the - of names such as sigma-bar
@@ -120,7 +126,11 @@ def names_in(node):
     if name := dotted(node):
         return [name]
     parts = node.args if isinstance(node, ast.Call) else ast.iter_child_nodes(node)
-    return [name for part in parts for name in names_in(part)]
+    names = [name for part in parts for name in names_in(part)]
+    if isinstance(node, ast.ListComp):  # its own are given in it
+        own = {n.id for of in node.generators for n in ast.walk(of.target) if hasattr(n, "id")}
+        return [name for name in names if name.partition(".")[0] not in own]
+    return names
 
 
 def beginnings(name):
@@ -164,6 +174,10 @@ def is_allowed(node):
         return isinstance(node.value, (int, float, str, type(None)))
     if isinstance(node, ast.Call):
         return dotted(node.func) in FUNCTIONS and not node.keywords
+    if isinstance(node, ast.ListComp):
+        target = node.generators[0].target
+        names = target.elts if isinstance(target, ast.Tuple) else [target]
+        return len(node.generators) == 1 and all(isinstance(name, ast.Name) for name in names)
     return isinstance(node, ALLOWED)
 
 
@@ -180,6 +194,10 @@ def worked_out(node, look_up):
             return part_of(of(node.value), node.attr)
         case ast.Subscript():
             return part_of(of(node.value), of(node.slice))
+        case ast.Slice():
+            return slice(*(part and of(part) for part in (node.lower, node.upper)))
+        case ast.ListComp():
+            return listed(node, look_up)
         case ast.BoolOp():
             return chosen(isinstance(node.op, ast.Or), map(of, node.values))
         case ast.UnaryOp():
@@ -191,6 +209,29 @@ def worked_out(node, look_up):
         case ast.Call():
             return of_known(FUNCTIONS[dotted(node.func)], *map(of, node.args))
     return [of(part) for part in node.elts]  # a list
+
+
+def listed(node, look_up):
+    """[a for b in c if d], with one list; null if the list is."""
+    [one] = node.generators
+    if (elements := worked_out(one.iter, look_up)) is None:
+        return None
+    found = []
+    for element in elements:
+
+        def inside(name, given=given(one.target, element)):
+            return given[name] if name in given else look_up(name)
+
+        if all(worked_out(condition, inside) for condition in one.ifs):
+            found.append(worked_out(node.elt, inside))
+    return found
+
+
+def given(target, element):
+    """{name: value} of one name, or of several: a, b"""
+    if isinstance(target, ast.Name):
+        return {target.id: element}
+    return dict(zip((name.id for name in target.elts), element, strict=True))
 
 
 def of_known(function, *values):

@@ -51,12 +51,16 @@ class Point:
                 return path
         raise Failure(f"{self.chain}: no {name} is kept")
 
+    @cached_property
+    def names(self):
+        """What one may ask for."""
+        kinds = ("values", "elements", "commands")
+        return {name: None for one in self.lineage for kind in kinds for name in one[kind]}
+
     def value(self, text):
         if not is_expression(text):
             return as_number(text)
-        kinds = ("values", "elements", "commands")
-        names = [name for one in self.lineage for kind in kinds for name in one[kind]]
-        return Expression(text[1:-1], names).value(self.__getitem__)
+        return Expression(text[1:-1], self.names).value(self.__getitem__)
 
     def __getitem__(self, name):
         for one, result in zip(self.lineage, self.results):

@@ -8,12 +8,11 @@ from scipy.stats import binom
 
 from claims import paper
 from claims.claim import PRIMARY
-from claims.judge import interval, shares_of
+from claims.judge import interval, shares_of, table
 from claims.own_result import OwnResult, write_own
 from measure.tables import write_table
-from measure.front_claims import case_of_event
+from measure.event_numbers import numbers_of
 from measure.fronts import is_fast_only
-from measure.cases import OF_EVENT, continued_of, events_of, in_words, of_events, of_loads
 from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges on prepared interfaces
@@ -23,14 +22,14 @@ CHOICES = (
     *("K-tenth", *DECAYING),
 )
 SIGMA_BARS = (0, 0.285)  # of prepared interfaces
-SETTLED = {"reference": "load", "decaying": "decaying"}  # kinds of loads of the ensemble
+SETTLED = ("reference", "decaying")  # loads of the ensemble
 ROWS = {  # claims that are judged under each choice
     "reference": ("2A", "2B", "2C", "3A", "3B", "4AB"),
     "decaying": ("S6A",),
 }
 ALIKE = {"2A": "S6A"}  # in the same panel
 SHARE = "share in words"  # fast-slow-fast, of the spanning events
-MEDIANS = {  # of fast-slow-fast events, by quantities of case_of_event()
+MEDIANS = {  # of fast-slow-fast events, by quantities of numbers_of()
     "fast/c_s": "fast before/c_s",
     "slowest/c_s": "slowest/c_s",
     "mean slow/c_s": "mean slow speed/c_s",
@@ -84,14 +83,6 @@ def settled_of(choice):
     return "decaying" if choice in DECAYING else "reference"
 
 
-def units_of(claim, events, continued):
-    if claim in OF_EVENT:
-        return of_events(continued, claim)
-    if claim in ("2A", "S6A"):
-        return in_words(events)
-    return of_loads(events, case_of_event, [PRIMARY])
-
-
 def median(values):
     """With the interval that follows from the order of the values, if there are enough of them."""
     ordered, n = sorted(values), len(values)
@@ -104,7 +95,7 @@ def median(values):
 def of_spanning(events):
     """Quantities of spanning events. One that is slow in words and nowhere below c_s/20 has no slow
     stretch to be measured."""
-    cases = [case_of_event(event) for event in events if event["fast_slow_fast"]]
+    cases = [numbers_of(event) for event in events if event["fast_slow_fast"]]
     k, n = len(cases), len(events)
     values = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
     values[FAST_ONLY] = [event["speed"] / event["c_s"] for event in events if is_fast_only(event)]
@@ -125,31 +116,34 @@ def bands(points):
     return found
 
 
-def measured(choice, events, continued):
-    """{quantity: what was found}, of what there is; `events` and `continued`: of all loads."""
-    kind = SETTLED.get(choice, choice)
-    events, continued = (
-        {load: of[load] for load in sorted(of) if load.rsplit("-", 1)[0] == kind}
-        for of in (events, continued)
-    )
+def of_any_variant(row):
+    """A claim about the reference, or the decaying law, over the points of a choice."""
+    return row | {"each": row["each"].partition(" where variant ")[0]}
+
+
+def measured(choice, chains):
+    """{quantity: what was found}, of what there is."""
+    where = "ensemble/" if choice in SETTLED else ""
+    points = {
+        f"ensemble/{name}": [p for p in chains[where + name] if p["variant"] == choice]
+        for name in ("events", "branches")
+    }
     shares = {
         claim: Found(share.part(), share.low, share.high, share.units)
         for claim in ROWS[settled_of(choice)]
-        for share in shares_of(claim, units_of(claim, events, continued))
+        for share in shares_of(of_any_variant(table()[claim]), points)
         if share.convention == PRIMARY
     }
-    of_loads = (of[PRIMARY] for of in events.values())
-    return shares | of_spanning([event for of in of_loads for event in of if event["spanning"]])
+    loads = (point["measured"]["events"] for point in points["ensemble/events"])
+    return shares | of_spanning([event for of in loads for event in of if event["spanning"]])
 
 
 def all_measured(chains):
     """{(choice, quantity): what was found}; those as settled come first."""
-    events = events_of([*chains["ensemble/events"], *chains["events"]])
-    continued = continued_of([*chains["ensemble/branches"], *chains["branches"]])
     of_edges = bands(chains["edges"])
     found: dict[tuple, Found] = {}
     for choice in CHOICES:
-        for name, one in (measured(choice, events, continued) | of_edges[choice]).items():
+        for name, one in (measured(choice, chains) | of_edges[choice]).items():
             found[choice, name] = one.beside(found.get((settled_of(choice), name)))
     return found
 

@@ -1,4 +1,4 @@
-"""The one judge of claims: cases measured by the recipes, against the conditions of claims.toml.
+"""The one judge of claims: what a row of claims.toml measures, against its conditions.
 
 docs/claims.md has the rules.
 """
@@ -9,6 +9,7 @@ from pathlib import Path
 
 from scipy.stats import beta
 
+from claims import cases
 from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, PRIMARY, REPRODUCED
 from claims.claim import Claim, Share, plural, split_unit
 from claims.conditions import as_read, met, wanted
@@ -23,12 +24,17 @@ CASES = {True: HOLDS, False: DOES_NOT_HOLD}
 
 @cache
 def table():
-    """{claim id: its row, with its recipe}"""
+    """{claim id: its row, with its id and recipe}. A row has all of the one that it is like, except
+    for what it says itself."""
     try:
         recipes = tomllib.loads(TABLE.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise Failure(f"The claims in {TABLE} cannot be read ({error}).") from error
-    return {name: row | {"recipe": r} for r, rows in recipes.items() for name, row in rows.items()}
+    found: dict[str, dict] = {}
+    for recipe, rows in recipes.items():
+        for name, row in rows.items():
+            found[name] = found.get(row.get("like"), {}) | row | {"id": name, "recipe": recipe}
+    return found
 
 
 # --- one case ------------------------------------------------------------------------------
@@ -36,13 +42,7 @@ def table():
 
 def conditions_of(claim_id):
     """{quantity: {relation: bound, ...}, or the value that it must have}"""
-    row = table()[claim_id]
-    return (conditions_of(row["like"]) if "like" in row else {}) | row.get("conditions", {})
-
-
-def yes(so):
-    """As conditions ask for it."""
-    return "yes" if so else "no"
+    return table()[claim_id]["conditions"]
 
 
 def holds(claim_id, cases):
@@ -77,65 +77,87 @@ def interval(k, n):
     return float(low if k else 0.0), float(high if k < n else 1.0)
 
 
-def is_one_state(claim_id):
-    return table()[claim_id].get("unit") == "seed"
+def is_one_state(row):
+    """Prepared interfaces: the majority of their seeds decides."""
+    return row.get("unit") == "seed"
 
 
-def share_of(claim_id, convention, units):
-    """The share of units under one convention; for one state, the majority of its seeds decides."""
-    held = [holds(claim_id, cases) for cases in units]
-    if is_one_state(claim_id):
+def share_of(row, convention, units):
+    """The share of units for which the claim holds under one convention; `units`: [case, ...] of
+    each. One without a case counts against the claim."""
+    held = [holds(row["id"], found) for found in units]
+    if is_one_state(row):
         return Share(convention, int(2 * sum(held) > len(held)), 1, None, None)
     return Share(convention, sum(held), len(held), *interval(sum(held), len(held)))
 
 
-def shares_of(claim_id, units):
-    """One per convention, the primary one first. `units`: {unit: {convention: [case, ...]}}. A unit
-    that has no case under a convention counts against the claim; one without the convention is not
-    a unit under it."""
-    by_convention: dict[str, list] = {PRIMARY: []}
-    for measured in units.values():
-        for convention, cases in measured.items():
-            by_convention.setdefault(convention, []).append(cases)
-    return [share_of(claim_id, name, found) for name, found in by_convention.items() if found]
+def measured_units(row, chains, way=PRIMARY):
+    return [
+        [names.case(row["conditions"]) for names in unit] for unit in cases.units(row, chains, way)
+    ]
 
 
-def needed(claim_id):
-    return NEEDED_IF_ONE_EXISTS if table()[claim_id].get("exists") else NEEDED
+def shares_of(row, chains, fewest=1):
+    """One per convention, the primary one first; none if there are too few units. `chains`: {name:
+    points} (chains/results.py)."""
+    found = {
+        name: measured_units(instead, chains, way)
+        for name, (instead, way) in cases.conventions(row, chains).items()
+    }
+    if len(found[PRIMARY]) < fewest:
+        return []
+    return [share_of(row, name, units) for name, units in found.items() if units]
 
 
-def verdict_of_shares(claim_id, shown, shares):
+def held_in_state(row, chains, accepted):
+    """{convention: whether the claim holds} for one state: that in the picture, or any of the
+    points of `each`."""
+    held = {PRIMARY: accepted}
+    for name, (instead, way) in cases.conventions(row, chains).items():
+        if name != PRIMARY and "each" in row:
+            held[name] = any(holds(row["id"], of) for of in measured_units(instead, chains, way))
+        elif name != PRIMARY:
+            held[name] = holds(row["id"], [cases.first_shown(instead, chains, way).case()])
+    return held
+
+
+def needed(row):
+    """ "There is such an event" needs less: the paper shows one run."""
+    return NEEDED_IF_ONE_EXISTS if cases.one_exists(row) else NEEDED
+
+
+def verdict_of_shares(row, shown, shares):
     """The 90 % intervals must lie beyond the limit, not only the shares."""
-    unit = table()[claim_id]["unit"]
+    unit = row["unit"]
     worst, best = min(shares, key=lambda s: s.low), max(shares, key=lambda s: s.high)
-    if shown and worst.low >= needed(claim_id):
+    if shown and worst.low >= needed(row):
         return REPRODUCED, f"holds in at least {worst.text(unit)}"
     if not shown and best.high <= FEW:
         return DIFFERS, f"holds in at most {best.text(unit)}"
     primary, decides, to = shares[0], *((worst, "down") if shown else (best, "up"))
     extreme = "" if decides is primary else f", {to} to {decides.text(unit)}"
     parts = [share.part() for share in shares]
-    enough = min(parts) >= needed(claim_id) if shown else max(parts) <= FEW
+    enough = min(parts) >= needed(row) if shown else max(parts) <= FEW
     few = f"; too few {plural(unit)} for a verdict" if enough else ""
     beside = "" if shown else ", but not in the case shown"
     return DEPENDS, f"holds in {primary.text(unit)}{extreme}{beside}{few}"
 
 
-def verdict_of(claim_id, shown, shares):
-    """The verdict, None without units, and its reason in one line."""
-    row = table()[claim_id]
-    if not conditions_of(claim_id):
+def verdict_of(row, shown, shares, held):
+    """The verdict, None without units, and its reason in one line. `shown`: whether the claim holds
+    for the case in the picture; `held`: {convention: whether it holds} for one state."""
+    if not row["conditions"]:
         return NOT_COMPARABLE, "the paper gives no number to compare with; ours are reported"
     if shown is None:
         return NOT_COMPARABLE, "it could not be measured"
-    if shares and is_one_state(claim_id):
+    if shares and is_one_state(row):
         return verdict_of_state({share.convention: share.holds == 1 for share in shares})
     if shares:
-        return verdict_of_shares(claim_id, shown, shares)
+        return verdict_of_shares(row, shown, shares)
     if row.get("unit"):
-        what = "seeds" if is_one_state(claim_id) else plural(row["unit"])
+        what = "seeds" if is_one_state(row) else plural(row["unit"])
         return None, f"only the case shown was judged, no other {what}"
-    return (REPRODUCED, HOLDS) if shown else (DIFFERS, DOES_NOT_HOLD)
+    return verdict_of_state(held)
 
 
 def verdict_of_state(held):
@@ -151,48 +173,70 @@ def verdict_of_state(held):
     return DEPENDS, f"of {ways}, does not hold in {', '.join(failing)}"
 
 
-def units_with(is_so, units):
-    """How many have a case that is so, under the primary convention, as "4 of 20"."""
-    found = [any(map(is_so, measured.get(PRIMARY, []))) for measured in units.values()]
-    return f"{sum(found)} of {len(found)}" if found else "not run"
+# --- a claim -------------------------------------------------------------------------------
 
 
-def share_of_spanning(claim_id, units):
-    """For "there is such an event": how many of the spanning events of all runs are such."""
-    cases = [case for measured in units.values() for case in measured.get(PRIMARY, [])]
-    spanning = [case for case in cases if case.get("spans") == "yes"]
-    if not (table()[claim_id].get("exists") and spanning):
-        return ""
-    return f"; {sum(holds(claim_id, [c]) for c in spanning)} of {len(spanning)} spanning events"
+def counted(row, chains):
+    """{what is counted: "4 of 20"}: units with a case for which a text in `counts` is true."""
+    units = cases.units(row, chains) if row.get("counts") else []
+
+    def is_so(names, text):
+        names.given["holds"] = not unmet(row["id"], names.case(row["conditions"]))
+        return names.value(text)
+
+    found = {
+        name: sum(any(is_so(names, text) for names in unit) for unit in units)
+        for name, text in row.get("counts", {}).items()
+    }
+    return {name: f"{n} of {len(units)}" if units else "not run" for name, n in found.items()}
 
 
-def judged(claim_id, measured, shown, units=None, note="", others=None):
-    """The claim with its verdict. `measured`: what readers see of the shown case; `shown`: that
-    case, None if it could not be measured; `units`: {unit: {convention: [case, ...]}}. For a claim
-    about one state `others` has its cases under other conventions, {convention: case}."""
+def share_of_all(row, chains):
+    """For "there is such an event": of all events that `among` says, how many are such."""
+    parts = []
+    for what, text in row.get("among", {}).items():
+        among = [n for unit in cases.units(row, chains) for n in unit if n.value(text)]
+        held = sum(holds(row["id"], [names.case(row["conditions"])]) for names in among)
+        parts += [f"; {held} of {len(among)} {what}"] if among else []
+    return "".join(parts)
+
+
+def judged(claim_id, chains):
+    """The claim with its verdict. `chains`: {name: points}, those that its recipe reads."""
     row = table()[claim_id]
-    accepted = None if shown is None else holds(claim_id, [shown])
-    units = units or {}
-    shares = shares_of(claim_id, units) if len(units) >= FEWEST else []
-    if others and accepted is not None:
-        held = {name: holds(claim_id, [case]) for name, case in others.items()}
-        verdict, reason = verdict_of_state({PRIMARY: accepted} | held)
-    else:
-        verdict, reason = verdict_of(claim_id, accepted, shares)
+    shown = {name: of.case() for name, of in cases.of_shown(row, chains).items()}
+    first = cases.first_shown(row, chains)
+    case = first.case() if first and ("if" not in row or first.value(row["if"])) else None
+    accepted = None if case is None else holds(claim_id, [case])
+    is_over_units = "unit" in row and "each" in row
+    shares = shares_of(row, chains, FEWEST) if is_over_units else []
+    held = {} if accepted is None or is_over_units else held_in_state(row, chains, accepted)
+    verdict, reason = verdict_of(row, accepted, shares, held)
     if shares:
-        reason += share_of_spanning(claim_id, units)
+        reason += share_of_all(row, chains)
     if accepted is False:
-        reason += f" ({unmet_text(claim_id, shown)})"
+        reason += f" ({unmet_text(claim_id, case)})"
+    measured = {
+        f"{name}: {quantity}" if name else quantity: value
+        for name, of in shown.items()
+        for quantity, value in of.items()
+        if quantity not in row.get("unseen", ())
+    }
     return Claim(
         id=claim_id,
         kind=row["kind"],
         fixed=row["fixed"],
         paper=row["says"],
         acceptance=row["accepted"],
-        measured=measured,
-        case=None if accepted is None or not conditions_of(claim_id) else CASES[accepted],
+        measured=measured | counted(row, chains),
+        case=None if accepted is None or not row["conditions"] else CASES[accepted],
         shares=shares,
         verdict=verdict,
         reason=reason,
-        note=note,
+        note=row.get("note", ""),
     )
+
+
+def judge(recipe, chains):
+    """All claims of a recipe."""
+    return [judged(name, chains) for name, row in table().items() if row["recipe"] == recipe]

@@ -4,7 +4,6 @@ steps, the reference one first: a list, each front with its values by the headin
 import numpy as np
 
 import continuum
-from claims.judge import yes
 from claims.own_result import OwnResult, write_own
 from measure.records import values
 from measure.tables import rows_of, write_table
@@ -19,6 +18,7 @@ SLOW = dict(zip((SPEED, "duration [s]", "slow from [m]", "slow to [m]"), OF_FRON
 WITH_ENDS = ("speed with ends [m/s]", "duration with ends [s]")
 COLUMNS = ["type", *SLOW, "arrested at [m]", *WITH_ENDS]
 LAMMPS = ("LAMMPS", "LAMMPS, edge springs half and damping along spring")  # lammps.ini
+YES = {True: "yes", False: "no"}
 IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
 
 
@@ -83,7 +83,7 @@ def lammps_measured(points):
         part = found["largest difference [m]"] / found["largest displacement [m]"]
         measured |= {
             f"{name}, after {found['steps']} steps": part,
-            f"{name}: within 1e-9": yes(part <= 1e-9),
+            f"{name}: within 1e-9": YES[part <= 1e-9],
         }
     return measured
 
@@ -125,7 +125,7 @@ def draw(events, edges, stem):
 def rows(cases):
     for name, case in cases.items():
         for dt, front in zip(STEPS, case):
-            yield [name, dt, *map(front.get, COLUMNS), yes(changes_type(case))]
+            yield [name, dt, *map(front.get, COLUMNS), YES[changes_type(case)]]
 
 
 def make(chains, results):

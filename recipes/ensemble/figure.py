@@ -9,9 +9,8 @@ import numpy as np
 from claims.own_result import OwnResult, write_own
 from measure.records import values
 from measure.tables import write_events
-from measure.conventions import PRIMARY
 from measure.fronts import is_fast_only
-from measure.cases import events_of
+from measure.loads import events_of
 from report.panels import along_interface, ruptured_early
 from report.plotting import DOUBLE, lettered, save
 from rupture.tools.command_line import plural
@@ -35,7 +34,7 @@ def kind_of(event):
 
 def spanning_events(events):
     """(kind, event) of a load."""
-    return [(kind_of(event), event) for event in events[PRIMARY] if event["spanning"]]
+    return [(kind_of(event), event) for event in events if event["spanning"]]
 
 
 def draw_rupture_lines(axes, events, colour):

@@ -1,10 +1,9 @@
-"""The SI's arithmetic of slow slip, its data and its claim."""
+"""The SI's arithmetic of slow slip, and its data."""
 
 import numpy as np
 
 from claims import paper
 from claims.claim import Number
-from claims.judge import judged
 from measure.tables import write_table
 from report.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
 
@@ -13,45 +12,8 @@ def net_slip(estimate):
     return estimate["net_slip_over_f_slip_per_k_ij"]
 
 
-def cases_SI(reference, unbreakable):
-    """{until when slip is counted: case}, the primary convention first. The sum without re-breaking
-    is over all junctions under each of them."""
-    slips = {
-        "until 2 <t_R>": reference["slip_after_two_t_R_over_f_slip_per_k_ij"],
-        "until nothing slips": net_slip(reference),
-    }
-    return {
-        until: {
-            "slip that counts [f_slip/k_ij]": slip,
-            "net slip without re-breaking [f_slip/k_ij]": net_slip(unbreakable),
-        }
-        for until, slip in slips.items()
-    }
-
-
-def claims_of(reference, unbreakable):
-    (_, shown), *others = cases_SI(reference, unbreakable).items()
-    returned = {
-        "all junctions have been pinned once after [<t_R>]": reference["duration_over_t_R"],
-        "with standard deviation [<t_R>]": reference["duration_over_t_R_deviation"],
-        "slip until then [f_slip/k_ij]": reference["slip_at_return_over_f_slip_per_k_ij"],
-    }
+def numbers_of(reference):
     return [
-        judged(
-            "SI-slip",
-            {
-                **shown,
-                "net slip [f_slip/k_ij]": net_slip(reference),
-                "none slips any more after [<t_R>]": reference["quiet_after_over_t_R"],
-            },
-            shown,
-            others=dict(others),
-            note="Each time one of the block's 100 junctions is pinned, the block moves until the"
-            " force on it is the same as before; means over 1000 blocks. The net slip is the same"
-            " for all of them (it depends only on the order of events), and is reached when no"
-            " junction slips any more. Primary: the slip in 2 <t_R>, the time in the paper.",
-        ),
-        judged("SI-time", returned, returned),
         Number(
             "net slow slip, until nothing slips [f_slip/k_ij]", paper.NET_SLIP, net_slip(reference)
         ),
@@ -115,4 +77,4 @@ def make(chains, results):
     block = reference["block"]
     columns = {"x [m]": "x", "p [N]": "p", "v_slow_slip [m/s]": "v_slow_slip"}
     write_table(results / "blocks.csv", columns, zip(*map(block.get, columns.values())))
-    return claims_of(reference, unbreakable)
+    return numbers_of(reference)

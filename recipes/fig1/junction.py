@@ -1,6 +1,10 @@
-"""Table and claim of Figure 1 F. Blocks of one junction each are pulled, with a sample in each time
-step; checkpoints taken while all of them slip say until when. From the displacements alone the law
-says what each junction's force should be; tau of the record is what it was.
+"""The forces of Figure 1 F beside those that the law demands, as the script of a chain:
+
+    law = script junction.py {all junction}
+
+Blocks of one junction each are pulled, with a sample in each time step; checkpoints taken while all
+of them slip say until when. From the displacements alone the law says what each junction's force
+should be; tau of the record is what it was.
 """
 
 import sys
@@ -8,8 +12,7 @@ import sys
 import numpy as np
 import rupture
 
-from claims.judge import judged, yes
-from measure.tables import write_table
+from chains.results import read_points
 
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block
@@ -65,33 +68,25 @@ def repin_times(checkpoint):
     return state["junctions/repin_time"][:, 0]
 
 
-def claim_1F(pulled):
+def law_of(pulled):
+    """The largest deviation of a force from the law's, over f_thres and all steps; whether each
+    junction breaks in the first step in which it would carry more than mu_s f_N; the steps by which
+    the latest is pinned again after t_R."""
     stretched, ratio = pulled.stretched(), pulled.f / pulled.f_N
     step, block = np.nonzero(pulled.breaks)
     before, later = ratio[step - 1, block], (stretched / pulled.f_N)[step, block]
     linear = pulled.deviation(stretched, pulled.pinned)
     dropped = pulled.deviation(pulled.f_slip, ~pulled.pinned)
     zero = np.abs(ratio[pulled.repins]).max()
-    late = sorted(set(pulled.late()))
-    bracketed = bool(np.all((before <= pulled.mu_s) & (pulled.mu_s < later)))
-    case = {
-        "largest deviation": max(linear, dropped, zero),
-        "breaks in the first step beyond f_thres": yes(bracketed),
-        "latest repinning after t_R [steps]": max(late),
+    return {
+        "junctions": ratio.shape[1],
+        "breaks": len(step),
+        "repinnings": int(pulled.repins.sum()),
+        "deviation": float(max(linear, dropped, zero)),
+        "breaks_beyond_f_thres": bool(np.all((before <= pulled.mu_s) & (pulled.mu_s < later))),
+        "latest_repinning": max(pulled.late()),
+        "moves_forwards": pulled.is_forward(),
     }
-    return judged(
-        "1F",
-        shown=case,
-        measured={
-            "junctions, breaks, repinnings": [ratio.shape[1], len(step), int(pulled.repins.sum())],
-            **case,
-            "blocks moved forwards throughout": yes(pulled.is_forward()),
-        },
-        note="Relative to f_thres, over every step of all junctions. Time is discrete: a junction"
-        f" breaks in the first step in which it would carry more than {pulled.mu_s:g} f_N, so that"
-        " the largest force is up to one step's stretch below that; it is zero in the first step"
-        " at or after t_R.",
-    )
 
 
 def rows(pulled):
@@ -103,10 +98,11 @@ def rows(pulled):
         yield pulled.time[n], moved, ratio, int(pulled.pinned[n, SHOWN])
 
 
-def make(chains, results):
-    [point] = chains["junction"]
+def pulled_of(point):
     slipping = [point.file(f"pulled-t{time}.h5") for time in SLIPPING]
-    pulled = Pulled(point.file("junctions.h5"), point.file("record.h5"), slipping)
-    names = ["time [s]", "displacement [m]", "f_T/f_N", "pinned"]
-    write_table(results / "junction.csv", names, rows(pulled))
-    return [claim_1F(pulled)]
+    return Pulled(point.file("junctions.h5"), point.file("record.h5"), slipping)
+
+
+def main(points):
+    [point] = read_points(points)
+    return law_of(pulled_of(point))

@@ -1,4 +1,4 @@
-"""Figure 2, its data and its claims. Without the choice of most_like.py, the picture lacks that
+"""Figure 2 and its data. Without the choice of most_like.py, the picture lacks that
 event."""
 
 import shutil
@@ -8,10 +8,8 @@ from most_like import COLUMNS
 
 from claims import paper
 from measure.tables import write_columns, write_fronts
-from measure.conventions import PRIMARY
 from measure.event_numbers import at_transitions, numbers_of_events
-from measure.front_claims import case_of_event, claims_of_fronts
-from measure.cases import events_of, in_words, of_loads
+from measure.loads import events_of
 from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
 from report.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
 from rupture.replacing import replacing
@@ -86,8 +84,5 @@ def make(chains, results):
     with replacing(results / "movie.gif") as temporary:
         shutil.copyfile(film.file("movie.gif"), temporary)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    loads = events_of(chains["ensemble/events"])
-    units = of_loads(loads, case_of_event), in_words(loads)
-    of_all = [event for of_load in loads.values() for event in of_load[PRIMARY]]
-    numbers = numbers_of_events(slow, fast, fronts.get(MOST_LIKE), of_all)
-    return [*claims_of_fronts(slow, fast, *units), *numbers]
+    of_all = [event for of in events_of(chains["ensemble/events"]).values() for event in of]
+    return numbers_of_events(slow, fast, fronts.get(MOST_LIKE), of_all)

@@ -10,12 +10,11 @@ import numpy as np
 
 from chains.results import read_points
 from claims import paper
-from measure.conventions import PRIMARY
-from measure.front_claims import case_of_event
+from measure.event_numbers import numbers_of
 from measure.fronts import has_slow_stretch
-from measure.cases import events_of
+from measure.loads import events_of
 
-PAPER = {  # for readers: of case_of_event(), the paper's value
+PAPER = {  # for readers: of numbers_of(), the paper's value
     "fast before over c_s/3": ("fast before/c_s", paper.FAST),
     "slowest stencil over c_s/100": ("slowest/c_s", paper.SLOW),
     "from over 0.4 L": ("from [L]", paper.TRANSITIONS[0]),
@@ -29,7 +28,7 @@ COLUMNS = ["load", "t_start [s]", *PAPER, SUM]  # of the table
 def ratios_of(event):
     """Measured over the paper's; None where the event spans without a slow stretch, or where one of
     the five is not known or zero. A stretch that is not fast at an end has no transition there."""
-    case = case_of_event(event)
+    case = numbers_of(event)
     known = [case[key] for key, _ in PAPER.values()] + [(event["slow"] or {}).get("fast_after")]
     if not has_slow_stretch(event) or not all(known):
         return None
@@ -61,5 +60,4 @@ def choice(load, loads):
 
 
 def main(load, points):
-    loads = events_of(read_points(points))
-    return choice(load, {name: events[PRIMARY] for name, events in loads.items()})
+    return choice(load, events_of(read_points(points)))

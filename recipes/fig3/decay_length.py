@@ -7,7 +7,11 @@ open, and so which blocks count and how; METHODS are the ways to measure, each f
 
     l_0 = script decay_length.py RECORD
 
-reports what of_front() says of one front over a prepared interface.
+reports what of_front() says of one front over a prepared interface, and
+
+    lengths = script decay_length.py median {all l_0 where numerics.seed == seed}
+
+the median of several, all of the same weight; by each method ("under").
 """
 
 import math
@@ -15,6 +19,7 @@ import math
 import numpy as np
 import rupture
 
+from chains.results import read_points
 from measure.conventions import PRIMARY
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
@@ -110,6 +115,29 @@ def of_front(front, time, tau):
     }
 
 
-def main(path):
-    front, record = rupture.analyze("front", path), rupture.open(path)
+def lengths(fronts):
+    """{method: l_0 [m]}: the median of the fronts, all of the same weight."""
+    return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
+
+
+def of_fronts(found):
+    """`found`: of_front() each [m]."""
+    l_0 = lengths(found)
+    primary = l_0.pop(PRIMARY)
+    each = [front["l_0"][PRIMARY] for front in found if front["l_0"][PRIMARY] is not None]
+    others = [length for length in l_0.values() if length is not None]
+    return {
+        "l_0": primary,
+        "fronts": sum(front["profiles"] > 0 for front in found),
+        "profiles": sum(front["profiles"] for front in found),
+        "of_fronts": [min(each), max(each)] if each else None,
+        "of_methods": [min(others), max(others)] if others else None,
+        "under": {name: {"l_0": length} for name, length in l_0.items()},
+    }
+
+
+def main(first, points=None):
+    if points:
+        return of_fronts([point["l_0"] for point in read_points(points)])
+    front, record = rupture.analyze("front", first), rupture.open(first)
     return of_front(front, record.time, record["tau"])

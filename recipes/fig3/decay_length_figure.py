@@ -1,31 +1,15 @@
-"""Decay length of the shear force ahead of slow fronts: picture, data and claim 3D-length."""
+"""Decay length of the shear force ahead of slow fronts: picture and data."""
 
 import numpy as np
-from decay_length import FITTED, METHODS, median
+from decay_length import FITTED, lengths
 
 from claims import paper
-from claims.judge import judged
 from claims.spread import spread
 from measure.tables import write_table
 from measure.conventions import PRIMARY
 from report.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
-import slow_fronts as slow
 
-
-def case(l_0):
-    """What the conditions ask for, of l_0 [m]."""
-    return {"l_0 [mm]": l_0 and l_0 * 1e3}
-
-
-def lengths(fronts):
-    """{method: l_0 [m]}: the median of the fronts, all of the same weight."""
-    return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
-
-
-def conventions(points):
-    """The case of one seed by each method."""
-    found = lengths([point["l_0"] for point in points])
-    return {name: [case(l_0)] for name, l_0 in found.items()}
+SHOWN = 1  # seed
 
 
 def exponential_through_middle(x, excess, l_0):
@@ -57,35 +41,10 @@ def draw(fronts, l_0, stem):
     save(fig, stem)
 
 
-def claim(fronts, l_0, each, points):
-    """`fronts`: the shown ones; `each`: l_0 of each [mm]."""
-    cases = {name: case(length) for name, length in l_0.items()}
-    shown = cases.pop(PRIMARY)
-    others = [of for other in cases.values() if (of := other["l_0 [mm]"]) is not None]
-    return judged(
-        "3D-length",
-        shown=shown,
-        units=slow.of_seeds(conventions, points),
-        measured={
-            **shown,
-            "slow fronts": len(fronts),
-            "profiles": sum(front["profiles"] for front in fronts),
-            "least and most of a front [mm]": [min(each), max(each)] if each else None,
-            "least and most of the other conventions [mm]": [min(others), max(others)],
-        },
-        note="l_0 is fitted to the excess of the shear force over tau_0, when the block that"
-        " ruptures next (x_0) carries its largest force: an exponential from x_0 to 3 blocks"
-        " ahead, median over the blocks of the slow stretch, then over the fronts. Other"
-        " conventions fit other blocks, or take the distance at which the excess has fallen to"
-        " 1/e. The excess is not exponential: the farther a fit reaches, the longer l_0. The fit"
-        " to 8 blocks ahead was added when the others were known, because it alone exceeds 25 %.",
-    )
-
-
 def make(chains, results):
     """decay_length.py says what is known of a front. Those without a slow stretch have no
     profiles."""
-    shown = slow.of_seed(points := chains["l_0"])
+    shown = [point for point in chains["l_0"] if point["numerics.seed"] == SHOWN]
     measured = {point["tau-bar"]: point["l_0"] for point in shown if point["l_0"]["profiles"]}
     fronts, l_0 = [*measured.values()], lengths([point["l_0"] for point in shown])
     draw(fronts, l_0[PRIMARY], results / "fig3-l0")
@@ -94,8 +53,5 @@ def make(chains, results):
     rows = ([tau_bar, *row] for tau_bar, profile in profiles.items() for row in profile)
     write_table(results / "decay-length.csv", names, rows)
     each = [f["l_0"][PRIMARY] * 1e3 for f in fronts if f["l_0"][PRIMARY] is not None]
-    of, (shown_l_0,) = "{} prepared fronts", case(l_0[PRIMARY]).values()
-    return [
-        claim(fronts, l_0, each, points),
-        spread("decay length l_0 [mm]", paper.L_0 * 1e3, each, of, shown=shown_l_0),
-    ]
+    of, shown_l_0 = "{} prepared fronts", l_0[PRIMARY] * 1e3
+    return [spread("decay length l_0 [mm]", paper.L_0 * 1e3, each, of, shown=shown_l_0)]

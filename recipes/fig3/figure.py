@@ -1,19 +1,16 @@
-"""Figure 3: A-C, their data and claims here, the rest in the modules beside this one."""
+"""Figure 3: A-C and their data here, the rest in the modules beside this one."""
 
 import decay_length_figure
-import front_speed
+import front_speed_figure
 import no_slip_force
 import numpy as np
 import rupture
-import slow_slip
+import slow_slip_figure
 
 from claims import paper
 from claims.claim import Number
-from claims.judge import judged
 from measure.records import values
 from measure.tables import write_table
-from measure.event_claims import judged_event, slip_ratios
-from measure.cases import continued_of, of_events
 from report.panels import draw_pinned, draw_pinned_scale
 from report.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
 
@@ -90,33 +87,22 @@ def rows(events):
                 yield [name, run, *row]
 
 
-MADE_OF = {  # what the case of a claim is measured from
-    "3A": lambda event: (event["front_stopped"],),
-    "3B": lambda event: (event["front"], event["front_no_slow_slip"]),
-    "3C": lambda event: (slips_of(event, "own_slip"),),
-}
-
-
-def claims_of(events, at_every_step, continued):
-    claims = [
-        judged_event(c, {n: made_of(e) for n, e in events.items()}, of_events(continued, c))
-        for c, made_of in MADE_OF.items()
-    ]
-    peaks = {n: peak_speed(event["fast_slip"]) for n, event in at_every_step.items()}
-    ratios = {
-        f"{name}: {key}": value
-        for name, event in events.items()
-        for key, value in slip_ratios(slips_of(event), peaks[name]).items()
-    }
-    measured = ratios | {"peak slip speeds [mm/s]": [peak * 1e3 for peak in peaks.values()]}
+def numbers_of(events, peaks):
+    """`peaks`: of the slip speed [m/s]."""
+    of_slip = {name: event["slip_stopped"] for name, event in events.items()}
     return [
-        *claims,
-        judged("3C-ratios", measured, None),
         *(
             Number(f"peak slip speed, {name} [mm/s]", None, peak * 1e3, note=OF_REF_20)
             for name, peak in peaks.items()
         ),
-        *(Number(quantity, None, ratio) for quantity, ratio in ratios.items()),
+        *(
+            Number(f"{name}: {quantity}", None, value)
+            for name, slip in of_slip.items()
+            for quantity, value in (
+                ("peak/slow slip speed", peaks[name] / slip["slow_speed"]),
+                ("fast/slow slip distance", slip["fast_slip"] / slip["slow_slip"]),
+            )
+        ),
     ]
 
 
@@ -129,9 +115,9 @@ def make(chains, results):
     events = by_title(chains["continued"])
     draw(events, results / "fig3")
     write_table(results / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
-    claims = claims_of(
-        events, by_title(chains["every_step"]), continued_of(chains["ensemble/branches"])
-    )
-    for part in (decay_length_figure, front_speed, no_slip_force, slow_slip):
-        claims += part.make(chains, results)
-    return claims
+    peaks = {n: peak_speed(e["fast_slip"]) for n, e in by_title(chains["every_step"]).items()}
+    numbers = numbers_of(events, peaks)
+    no_slip_force.make(chains, results)
+    for part in (decay_length_figure, front_speed_figure, slow_slip_figure):
+        numbers += part.make(chains, results)
+    return numbers

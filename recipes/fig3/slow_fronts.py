@@ -1,5 +1,5 @@
-"""Slow fronts on prepared interfaces, and the slow slip behind them: how it is measured, fits, and
-seeds as units of claims. Rows have the values of a point, and what was measured in one window.
+"""Slow fronts on prepared interfaces, and the slow slip behind them: windows in time, and fits.
+Rows have the values of a point, and what was measured in one window.
 """
 
 from collections import namedtuple
@@ -23,12 +23,6 @@ WINDOWS = {
     NARROW: "narrow",
 }
 OTHER_WINDOWS = [*WINDOWS][1:]
-WHERE = (
-    "Blocks of prepared interfaces: those of the slow stretch without the two at either end. Time:"
-    " from H/c_s after the block's rupture for <t_R>, or until the front ruptures the block of"
-    " the last slow stencil if that is earlier (at least <t_R>/2); speed between 20 % and 80 % of"
-    " the slip in this time. R^2 against the mean of the measured values."
-)
 
 
 def in_window(row, result, window):
@@ -77,18 +71,3 @@ def fit_through_origin(x, y):
     slope = (x @ y) / (x @ x)
     residual = ((y - slope * x) ** 2).sum()
     return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum(), len(x))
-
-
-def of_seed(points, seed=1):
-    """Of seed 1, which is shown, or another one."""
-    return [point for point in points if point["numerics.seed"] == seed]
-
-
-def of_seeds(conventions, *chains):
-    """The units: {seed: {convention: [case]}}, of seeds that all of these chains have.
-    `conventions`: a function of their points."""
-    seeds = [{int(point["numerics.seed"]) for point in points} for points in chains]
-    return {
-        f"seed {seed}": conventions(*(of_seed(points, seed) for points in chains))
-        for seed in sorted(set.intersection(*seeds))
-    }

@@ -1,12 +1,20 @@
-"""Figure 3 C, inset, its data and the claims 3C-inset and 3C-neighbours."""
+"""The speed of slow slip behind fronts on prepared interfaces beside that of Eq. S1, as the script
+of a chain:
 
-from claims import paper
-from claims.judge import holds, judged
-from claims.spread import spread
-from measure.tables import numbers, rows_of, write_columns
-from measure.conventions import PRIMARY
-from report.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
+    slope      = script slow_slip.py slope {all slow_slip where numerics.seed == seed}
+    neighbours = script slow_slip.py neighbours {all slow_slip where numerics.seed == seed}
+    of_event   = script slow_slip.py event {all slow_slip_event}
+
+`slope`: of a line through the origin, in each way to measure ("under"); `event`: of event II with
+other slipping times. `neighbours`: the largest
+ratio of the speeds of two neighbouring blocks behind the front with the reference parameters, and
+for how many fronts of all variants that is at most ALIKE.
+"""
+
 import slow_fronts as slow
+from chains.results import read_points
+from measure.conventions import PRIMARY
+from measure.tables import numbers, rows_of
 
 MM = 1e3  # [mm/m]
 WIDTH = 0.14 / 56  # of a block [m]
@@ -15,12 +23,7 @@ K_I = {  # the variant in which k_i varies, by convention; primary: as the SI sa
     "trigger's prestress unchanged": "k_i alone",
     "K scaled with E": "k_i and K",
 }
-VARIED = {  # marker and label
-    "reference": ("o", "reference"),
-    "t_R": ("^", r"$\langle t_R\rangle$ varied"),
-    "tau_slip": ("s", r"$\tau_\mathrm{slip}$ varied"),
-    "k_i": ("<", "$k_i$ varied"),
-}
+ALIKE = 1.2
 
 
 def varied(rows, k_i=K_I[PRIMARY]):
@@ -37,20 +40,11 @@ def fit(rows):
     return slow.fit_through_origin(*estimate_and_measured(rows))
 
 
-def case_of(rows):
+def fit_of(rows):
     """Where each quantity could be varied: at two values or more, beside the reference."""
     counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
     found = fit(rows) if min(counts) >= 2 else None
-    return {"slope": found and found.slope, "R^2": found and found.r_squared}
-
-
-def conventions(points):
-    rows, primary = slow.fronts(points), K_I[PRIMARY]
-    cases = {name: case_of(varied(rows, k_i)) for name, k_i in K_I.items()}
-    for window in slow.OTHER_WINDOWS:
-        cases[window] = case_of(varied(slow.fronts(points, window), primary))
-    cases[slow.WITHOUT_NEAR_ARREST] = case_of(slow.without_near_arrest(varied(rows, primary)))
-    return {name: [case] for name, case in cases.items()}
+    return {"slope": found and found.slope, "r_squared": found and found.r_squared}
 
 
 def largest_ratio(row):
@@ -65,37 +59,6 @@ def largest_ratio(row):
     return max(ratios, default=None)
 
 
-def case_of_neighbours(rows):
-    ratios = [largest_ratio(row) for row in rows if row["variant"] == "reference"]
-    return {"largest ratio of neighbours": ratios[0] if ratios else None}
-
-
-def draw_rows(axes, rows, marker, colour, label):
-    x, y = estimate_and_measured(rows)
-    low = y - numbers(rows, "slowest [m/s]") * MM
-    high = numbers(rows, "fastest [m/s]") * MM - y
-    look = {"fmt": marker, "color": colour, "markersize": 4, "elinewidth": 0.6, "capsize": 1.5}
-    axes.errorbar(x, y, yerr=[low, high], label=label, **look)
-
-
-def draw(prepared, event, prepared_fit, stem):
-    fig, axes = figure(SINGLE, SINGLE)
-    for variant, (marker, label) in VARIED.items():
-        rows = [row for row in prepared if row["varies"] == variant]
-        draw_rows(axes, rows, marker, BLUE, f"prepared, {label}")
-    draw_rows(axes, event, "^", EVENT["II"], r"event II, $\langle t_R\rangle$ varied")
-    end = 1.08 * max(estimate_and_measured(prepared + event)[0])
-    slope = prepared_fit.slope
-    label = f"prepared: slope {slope:.2f}"
-    axes.plot([0, end], [0, slope * end], color=BLUE, linewidth=0.8, label=label)
-    axes.plot([0, end], [0, end], label="paper: Eq. S1", **OF_PAPER)
-    estimate = rf"{paper.COEFFICIENT}\,\tau_\mathrm{{slip}}/(k_i\langle t_R\rangle)"
-    axes.set(xlabel=rf"estimate ${estimate}$ [mm/s]", xlim=(0, end), ylim=(0, None))
-    axes.set_ylabel(r"measured $v_\mathrm{slow\,slip}$ [mm/s]")
-    axes.legend(loc="upper left")
-    save(fig, stem)
-
-
 def of_event(points):
     """Event II with other slipping times. Its front's speed is that of the slow stretch."""
     rows = [
@@ -106,57 +69,31 @@ def of_event(points):
     return slow.usable(rows)
 
 
-def claim(prepared, event, points):
-    """`event`: fronts of event II; they are reported."""
-    case, speeds = case_of(prepared), slow.speeds(prepared)
-    return judged(
-        "3C-inset",
-        shown=case,
-        units=slow.of_seeds(conventions, points),
-        measured={
-            **case,
-            "prepared interfaces": len(prepared),
-            "slowest and fastest front [m/s]": [speeds.min(), speeds.max()],
-            "slope, event II": fit(event).slope if event else None,
-        },
-        note=f"{slow.WHERE} Event: blocks at x = 0.2-0.5 L, until the front is no longer"
-        " slow. A change of tau_slip alone is nearly a change of units (p and k_i do not depend on"
-        " it).",
-    )
+def slopes(points):
+    rows, primary = slow.fronts(points), K_I[PRIMARY]
+    found = {name: fit_of(varied(rows, k_i)) for name, k_i in K_I.items()}
+    for window in slow.OTHER_WINDOWS:
+        found[window] = fit_of(varied(slow.fronts(points, window), primary))
+    of_SI = varied(rows, primary)
+    found[slow.WITHOUT_NEAR_ARREST] = fit_of(slow.without_near_arrest(of_SI))
+    speeds = slow.speeds(of_SI)
+    fronts = {"fronts": len(of_SI), "speeds": [speeds.min(), speeds.max()] if of_SI else None}
+    return found.pop(PRIMARY) | fronts | {"under": found}
 
 
 def neighbours(points):
-    return {PRIMARY: [case_of_neighbours(slow.fronts(points))]}
+    rows = slow.fronts(points)
+    ratios = [largest_ratio(row) for row in rows]
+    ours = [ratio for row, ratio in zip(rows, ratios) if row["variant"] == "reference"]
+    alike = [ratio is not None and ratio <= ALIKE for ratio in ratios]
+    return {"largest": ours[0] if ours else None, "fronts": len(rows), "alike": sum(alike)}
 
 
-def claim_neighbours(rows, points):
-    shown = case_of_neighbours(rows)
-    cases = [{"largest ratio of neighbours": largest_ratio(row)} for row in rows]
-    return judged(
-        "3C-neighbours",
-        shown=shown,
-        units=slow.of_seeds(neighbours, points),
-        measured={
-            **shown,
-            "fronts of all variants": len(rows),
-            "of these it holds for": sum(holds("3C-neighbours", [each]) for each in cases),
-        },
-        note="Judged by the front with the reference parameters; fronts of all variants are"
-        " listed, too. Speeds as for 3C-inset: a block's time begins H/c_s after its rupture.",
-    )
+def slope_of_event(points):
+    rows = of_event(points)
+    return {"slope": fit(rows).slope if rows else None}
 
 
-def make(chains, results):
-    points, event = chains["slow_slip"], of_event(chains["slow_slip_event"])
-    prepared = slow.fronts(slow.of_seed(points))
-    of_SI = varied(prepared)
-    draw(of_SI, event, fit(of_SI), results / "fig3C-inset")
-    rows = [{"interface": "prepared"} | row for row in prepared]
-    rows += [{"interface": "event"} | row for row in event]
-    names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
-    names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
-    write_columns(results / "slow-slip-speed.csv", names, rows)
-    fitted, (estimate, measured) = fit(of_SI), estimate_and_measured(of_SI)
-    ratio = "speed of slow slip over Eq. S1"
-    number = spread(ratio, 1.0, measured / estimate, "{} prepared fronts", shown=fitted.slope)
-    return [claim(of_SI, event, points), claim_neighbours(prepared, points), number]
+def main(which, points):
+    measured = {"slope": slopes, "neighbours": neighbours, "event": slope_of_event}[which]
+    return measured(read_points(points))

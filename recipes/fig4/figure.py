@@ -1,13 +1,13 @@
-"""Figure 4: A-B and their claim here, C in strength.py, D by measure, its edges in edge.py."""
+"""Figure 4: A-B here, C in strength_figure.py, D by measure/map_panels.py."""
 
-import edge
 import rupture
-import strength
+import strength_figure
 
-from measure.event_claims import judged_event
-from measure.cases import continued_of, of_events
+from claims.claim import Number
+from measure.conventions import PRIMARY
 from measure.front_map import load_map
-from measure.map_claims import make_map
+from measure.map_panels import write_map
+from measure.tables import write_table
 from report.panels import draw_pinned, draw_pinned_scale, window_of
 from report.plotting import DOUBLE, figure, letter, save
 
@@ -16,7 +16,12 @@ MAPS = ("map", "map_between", "map_boundary")
 MAP = dict(
     panel="D",
     slow_below=(20, 10, 30, 40, 60),
-    claim="4D",
+)
+EDGES = (
+    "sigma_bar",
+    "with slow slip: slow from tau_bar_0",
+    "fast from",
+    "without: not arrested from",
 )
 REGION = 0.25  # from here on phi was changed [L]
 
@@ -52,19 +57,24 @@ def draw(events, stem):
     save(fig, stem)
 
 
+def numbers_of_edges(points, results):
+    """Where fronts become fast, and not arrested, with slow slip and without it."""
+    with_slip, without = (
+        {p["sigma-bar"]: p["edges"][PRIMARY] for p in points if p["variant"] == name}
+        for name in ("reference", "no slow slip")
+    )
+    rows = ((s, of["slow"], of["fast"], without[s]["slow"]) for s, of in with_slip.items())
+    write_table(results / "edges.csv", EDGES, rows)
+    return [
+        Number(f"tau_bar_0 from which fronts are {kind}, sigma_bar = 0", None, with_slip[0][kind])
+        for kind in ("slow", "fast")
+    ]
+
+
 def make(chains, results):
     points = {point["name"]: point for point in chains["wider"]}
-    events = {title: points[name] for name, title in EVENTS.items()}
-    draw(events, results / "fig4AB")
-    measured = {
-        title: (*fronts_of(event), event["phi"], event["phi_wider"])
-        for title, event in events.items()
-    }
+    draw({title: points[name] for name, title in EVENTS.items()}, results / "fig4AB")
+    strength_figure.make(chains, results, points)
     fronts, grid = load_map(*(chains[name] for name in MAPS))
-    continued = continued_of(chains["ensemble/branches"])
-    return [
-        judged_event("4AB", measured, of_events(continued, "4AB")),
-        *strength.make(chains, results, points, fronts, grid, continued),
-        *make_map(fronts, grid, results, **MAP),
-        *edge.make(chains["edges"], results),
-    ]
+    write_map(fronts, grid, results, **MAP)
+    return numbers_of_edges(chains["edges"], results)

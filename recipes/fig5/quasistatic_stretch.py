@@ -7,12 +7,18 @@ first two of them, the tip is the furthest block that has ruptured. What happens
 t_R) of either event belongs to that: single blocks rupture again, or the later event nucleates.
 It reports when the tip was where, and the checkpoints nearest to each tenth of the stretch, where a
 run with the driving stopped can branch off.
+
+    advance = script quasistatic_stretch.py {all stopped where branch.t == at}
+
+Of such a run, it reports by how many blocks the tip advances with the driving and without it.
 """
 
 import sys
 
 import numpy as np
 import rupture
+
+from chains.results import read_points
 
 WINDOW = 1e-3  # [s]
 APART = 10e-3  # from a dynamic event [s]
@@ -89,5 +95,14 @@ def advances(load, stopped, interval_from, t_branch):
     }
 
 
-def main(path, checkpoint_every):
-    return quasistatic_stretch(read_ruptures(path), float(checkpoint_every))
+def main(path, checkpoint_every=None):
+    if checkpoint_every:
+        return quasistatic_stretch(read_ruptures(path), float(checkpoint_every))
+    [branch] = read_points(path)
+    load, stopped = (
+        read_ruptures(branch.file(name)) for name in ("record.h5", "stopped-record.h5")
+    )
+    found = advances(
+        load, stopped, branch["stretch"]["interval_from"], float(branch["branch"]["t"])
+    )
+    return found | {"c_s": rupture.open(branch.file("record.h5")).c_s}

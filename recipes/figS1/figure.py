@@ -1,49 +1,8 @@
-"""Figure S1, its data and its claim."""
+"""Figure S1 and its data."""
 
-import numpy as np
-import rupture
-
-from claims.judge import judged
 from measure.tables import write_table
 from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
-
-
-class Stress:
-    """The result of `analyze stress`: x [m], forces per block p and tau [N]."""
-
-    def __init__(self, stress):
-        self.x, self.p, self.tau = (np.array(stress[name]) for name in ("x", "p", "tau"))
-        self.F_T, self.F_N, self.time = stress["F_T"], stress["F_N"], stress["time"]
-        self.L = self.x[-1]
-
-    def centroid(self):
-        """From the middle of the interface, at the undeformed positions [m]."""
-        return np.sum(self.p * (self.x - self.L / 2)) / np.sum(self.p)
-
-
-def claim_S1(unloaded, before, state):
-    symmetry = np.abs(unloaded.p - unloaded.p[::-1]).max() / unloaded.p.mean()
-    antisymmetry = np.abs(unloaded.tau + unloaded.tau[::-1]).max() / np.abs(unloaded.tau).max()
-    total = abs(unloaded.p.sum() / unloaded.F_N - 1)
-    shift = before.centroid() - unloaded.centroid()
-    lever = before.F_T * state["driving.h"] / before.F_N
-    case = {
-        "asymmetry of p/mean p": symmetry,
-        "symmetric part of tau/largest tau": antisymmetry,
-        "|sum p/F_N - 1|": total,
-        "their difference [%]": (shift / lever - 1) * 100,
-    }
-    return judged(
-        "S1",
-        shown=case,
-        measured={
-            **case,
-            "shift of the centroid of p [mm]": shift * 1e3,
-        },
-        note="Symmetry and the sum of p are judged at F_T = 0, where the slider rests. Event I is"
-        " the fast-slow-fast event of Figure 2, 0.5 ms before its first rupture: h is the height"
-        " of the driven block. The slider still oscillates a little from earlier events.",
-    )
+from symmetry import Stress
 
 
 def draw_stress(axes, stress):
@@ -74,4 +33,3 @@ def make(chains, results):
         ["x [m]", *(f"{state} {n}" for state in ("unloaded", "before event") for n in names)],
         zip(unloaded.x, unloaded.p, unloaded.tau, before.p, before.tau),
     )
-    return [claim_S1(unloaded, before, rupture.open(point.base))]

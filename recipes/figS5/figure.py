@@ -1,10 +1,9 @@
-"""Figure S5, its data and its claim."""
+"""Figure S5 and its data."""
 
 import numpy as np
-from quadrature import SHAPES, largest_mean_force, mean_force, sigma_of_unit_width
-from quadrature import uniform_closed_form
+from deviation import Strength
+from quadrature import SHAPES, mean_force, sigma_of_unit_width
 
-from claims.judge import judged, yes
 from claims.paper import MU_D, MU_S
 from measure.tables import write_table
 from report.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
@@ -13,18 +12,6 @@ DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in 
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
 LINES = {"uniform": "-", "bell": "--"}
 MARKERS = {"uniform": "o", "bell": "s"}  # of the largest values
-
-
-class Strength:
-    """The tool's result for one shape, beside the formula or quadrature."""
-
-    def __init__(self, shape, points):
-        of_shape = [point for point in points if point["shape"] == shape]
-        self.shape = shape
-        self.sigma_bar = np.array([point["sigma-bar"] for point in of_shape])
-        self.mu_bar = np.array([point["strength"]["mu_bar_eff"] for point in of_shape])
-        self.mu = np.array([point["strength"]["mu_eff"] for point in of_shape])
-        self.quadrature = np.array([largest_mean_force(shape, s) for s in self.sigma_bar])
 
 
 def curve(shape, sigma_bar):
@@ -77,30 +64,6 @@ def draw(curves, strengths, stem):
     save(fig, stem)
 
 
-def claim_S5(uniform, bell):
-    closed = np.array([uniform_closed_form(s) for s in uniform.sigma_bar])
-    off = {
-        "uniform - closed form": np.abs(uniform.mu_bar - closed).max(),
-        "uniform - quadrature": np.abs(uniform.mu_bar - uniform.quadrature).max(),
-        "bell - quadrature": np.abs(bell.mu_bar - bell.quadrature).max(),
-    }
-    falls = bool(np.all(np.diff(uniform.mu_bar) < 0) and np.all(np.diff(bell.mu_bar) < 0))
-    case = {
-        "falls from each to the next": yes(falls),
-        "largest deviation of mu-bar": max(off.values()),
-    }
-    return judged(
-        "S5",
-        shown=case,
-        measured={
-            **case,
-            **{f"mu-bar, largest |{name}|": value for name, value in off.items()},
-        },
-        note="Formula and quadrature are those of recipes/figS5/quadrature.py, made from the"
-        " definition of tau_max and independent of the tool.",
-    )
-
-
 def write_tables(results, curves, strengths):
     names = ["shape", "sigma-bar", "mu-bar", "mu_eff", "mu-bar by quadrature"]
     numbers = ((s, zip(s.sigma_bar, s.mu_bar, s.mu, s.quadrature)) for s in strengths)
@@ -116,4 +79,3 @@ def make(chains, results):
     curves = {(shape, sigma): curve(shape, sigma) for shape in LINES for sigma in DRAWN}
     draw(curves, strengths, results / "figS5")
     write_tables(results, curves, strengths)
-    return [claim_S5(*strengths)]

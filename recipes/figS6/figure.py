@@ -1,16 +1,13 @@
-"""Figure S6, its data and its claims."""
+"""Figure S6 and its data."""
 
 import numpy as np
 import rupture
 
-from claims.judge import yes
 from measure.records import values
 from measure.tables import write_events, write_fronts
-from measure.front_claims import judged_in_words
-from measure.fronts import first_in_words, STENCIL
-from measure.cases import events_of, in_words
+from measure.fronts import STENCIL
 from measure.front_map import load_map
-from measure.map_claims import make_map
+from measure.map_panels import write_map
 from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
 from report.panels import ruptured_early, window_of
 from report.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
@@ -23,7 +20,6 @@ ENDS = STENCIL // 2  # blocks between the middle and either end of a stencil
 MAP = dict(
     panel="B",
     slow_below=(20, 8, 10, 30, 40),
-    claim="S6B",
 )
 
 
@@ -69,11 +65,7 @@ def make(chains, results):
     [load] = chains["events"]
     events = load["measured"]["events"]
     spanning = (event for event in events if event["spanning"])
-    in_order = {"fast-slow-fast in words": lambda event: yes(event["fast_slow_fast"])}
+    in_order = {"fast-slow-fast in words": lambda event: "yes" if event["fast_slow_fast"] else "no"}
     write_events(results / "events.csv", spanning, in_order)
-    units = in_words(events_of(chains["ensemble/events"]))
     fronts, grid = load_map(chains["map"], chains["map_boundary"])
-    return [
-        judged_in_words("S6A", first_in_words(events), units),
-        *make_map(fronts, grid, results, **MAP),
-    ]
+    write_map(fronts, grid, results, **MAP)

@@ -6,8 +6,26 @@ import numpy as np
 from claims import paper
 from claims.spread import spread
 from measure.records import values
-from measure.front_claims import case_of_event
 from measure.fronts import is_fast_only
+
+
+def ratio(a, b):
+    return None if a is None or b is None else a / b
+
+
+def numbers_of(front):
+    """The numbers of `analyze front`, or of an event of `analyze events`, in the paper's units;
+    None where there is no slow stretch."""
+    slow = front["slow"] or {}
+    c_s, L = front["c_s"], front["L"]
+    return {
+        "duration [ms]": slow.get("duration") and slow["duration"] * 1e3,
+        "from [L]": ratio(slow.get("x_from"), L),
+        "to [L]": ratio(slow.get("x_to"), L),
+        "fast before/c_s": ratio(slow.get("fast_before"), c_s),
+        "slowest/c_s": ratio(slow.get("slowest"), c_s),
+        "mean slow speed/c_s": ratio(slow.get("mean"), c_s),
+    }
 
 
 def at_transitions(front):
@@ -35,8 +53,8 @@ def numbers_of_events(shown, fast_only, most_like, events):
     `events`: of independent runs. The set is that of the events that are fast-slow-fast in words:
     an event that creeps and was never fast is none of them."""
     slow = [event for event in events if event["spanning"] and event["fast_slow_fast"]]
-    cases = [*map(case_of_event, slow)]
-    of_shown, of_most_like = case_of_event(shown), case_of_event(most_like) if most_like else {}
+    cases = [*map(numbers_of, slow)]
+    of_shown, of_most_like = numbers_of(shown), numbers_of(most_like) if most_like else {}
     of = f"{{}} of {len(slow)} fast-slow-fast events"
     rows = {
         "speed before the slow stretch [c_s]": ("fast before/c_s", paper.FAST),

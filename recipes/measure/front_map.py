@@ -161,6 +161,13 @@ def steps_back(types):
     return found
 
 
+def out_of_order(fronts):
+    """Places that are fast below-left of an arrested one, over all seeds, and those where the type
+    steps back along tau_bar_0."""
+    found = {fast for fast, _ in fast_below_left_of_arrested(types_of_seeds(fronts))}
+    return found | steps_back(types_of(fronts))
+
+
 def medians_ascend(types, sigma):
     """Whether the median tau_bar_0 of the types that occur at this sigma_bar ascend: arrested,
     slow, fast."""

@@ -6,7 +6,9 @@ from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from scipy.interpolate import NearestNDInterpolator
 
+from measure import front_map
 from measure.front_map import TYPES, axes_of, below, types_of, types_of_seeds
+from measure.tables import write_table
 from report.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
@@ -99,3 +101,28 @@ def draw_map(fronts, grid, slow_below, text, stem):
     handles = [*right.get_legend_handles_labels()[0][:-1], *left.get_legend_handles_labels()[0]]
     right.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1.5)
     save(fig, stem)
+
+
+def thresholds_compared(fronts, grid, slow_below):
+    """The effect of another threshold for slow fronts: numbers of grid points of each type, of
+    those whose type is not that at the first threshold, and of violations over all seeds."""
+    reference = types_of(grid, below(slow_below[0]))
+    for ratio in slow_below:
+        types = types_of(grid, below(ratio))
+        seeds = types_of_seeds(fronts, below(ratio))
+        yield {
+            "c_s/threshold": ratio,
+            "slow": sum(kind == "slow" for kind in types.values()),
+            "fast": sum(kind == "fast" for kind in types.values()),
+            "changed": sum(types[place] != reference[place] for place in types),
+            "fast below-left of arrested": len(front_map.fast_below_left_of_arrested(seeds)),
+        }
+
+
+def write_map(fronts, grid, results, *, panel, slow_below):
+    """Everything that the recipe writes about its map (load_map()). Slow is below c_s over one of
+    `slow_below`, of which the first is the default."""
+    thresholds = list(thresholds_compared(fronts, grid, slow_below))
+    draw_map(fronts, grid, slow_below, panel, results / f"{results.name}{panel}")
+    front_map.write_types(results / "front-types.csv", fronts)
+    write_table(results / "thresholds.csv", list(thresholds[0]), map(dict.values, thresholds))

@@ -40,7 +40,7 @@ def draw_shares(axes, claim, height):
     axes.plot([share.part() for share in others], len(others) * [height], **OTHER_LOOK)
     if primary.low is not None:
         axes.plot([primary.low, primary.high], [height, height], color=BLACK, linewidth=0.8)
-        axes.vlines(needed(claim.id), height - 0.4, height + 0.4, **NEEDED_LOOK)
+        axes.vlines(needed(table()[claim.id]), height - 0.4, height + 0.4, **NEEDED_LOOK)
     axes.plot(primary.part(), height, **PRIMARY_LOOK)
     if claim.case is not None:
         axes.plot(1.1, height, CASES[claim.case][0], color=BLACK, markersize=4)

@@ -1,18 +1,14 @@
-"""Exponential slipping times: events, map of front types and claims; other geometries and the
-distance law are in the modules beside this one."""
+"""Exponential slipping times: events and map of front types; other geometries and the distance law
+are in the modules beside this one."""
 
 import distance
 import geometry
 import numpy as np
 
-from claims.judge import judged
 from measure.records import values
 from measure.tables import rows_of, write_events
-from measure.front_claims import judged_in_words
-from measure.fronts import first_in_words, is_fast_only
-from measure.cases import events_of, in_words
-from measure.front_map import TYPES, read_map, types_of, write_types
-from measure.map_claims import out_of_order
+from measure.fronts import is_fast_only
+from measure.front_map import read_map, types_of, write_types
 from measure.map_panels import draw_regions, name_regions
 from report.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
 
@@ -33,15 +29,6 @@ def draw(events, stem):
     save(fig, stem)
 
 
-def case_of_map(fronts):
-    """4D's order of regions, on the map of prepared interfaces with exponential times."""
-    kinds = list(types_of(fronts).values())
-    return {
-        **{f"{kind} grid points of the map": kinds.count(kind) for kind in TYPES},
-        "places out of order on the map": len(out_of_order(fronts)),
-    }
-
-
 def make(chains, results):
     [shown] = chains["ensemble/shown_events"]
     events = shown["measured"]["events"]
@@ -57,9 +44,4 @@ def make(chains, results):
     save(fig, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
     distance.make(chains, results)
-    units, of_map = in_words(events_of(chains["ensemble/events"])), case_of_map(fronts)
-    return [
-        judged_in_words("exponential-event", first_in_words(events), units),
-        judged("exponential-map", of_map, of_map),
-        *geometry.make(chains, results),
-    ]
+    geometry.make(chains, results)

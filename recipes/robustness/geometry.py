@@ -1,7 +1,7 @@
-"""Maps of front types for other lengths and nucleation energies, and claim geometry."""
+"""Maps of front types for other lengths and nucleation energies."""
 
 from measure.tables import rows_of
-from measure import front_map, map_claims
+from measure import front_map
 from measure.front_map import types_of
 from measure.map_panels import draw_key, draw_regions
 from report.plotting import DOUBLE, lettered, save
@@ -12,20 +12,6 @@ TITLES = {
     "trigger 0.2": r"$\bar\tau_\mathrm{trigger} = 0.2$",
     "trigger 0.4": r"$\bar\tau_\mathrm{trigger} = 0.4$",
 }
-
-
-def case_of(maps, **how):
-    orders = [front_map.order_in_words(types_of(fronts, **how)) for fronts in maps.values()]
-    return {
-        "fewest types present on a map": min(present for present, _ in orders),
-        "sigma_bar out of order on all maps": sum(out_of_order for _, out_of_order in orders),
-    }
-
-
-def claim_of(maps):
-    seeds = {seed for fronts in maps.values() for seed in front_map.seeds_of(fronts)}
-    of_seed = {s: {n: front_map.map_of_seed(m, s) for n, m in maps.items()} for s in sorted(seeds)}
-    return map_claims.claim_over_seeds("geometry", maps, of_seed, case_of)
 
 
 def draw(maps, stem):
@@ -43,4 +29,3 @@ def make(chains, results):
     maps = front_map.read_variants(rows_of(points), TITLES)
     draw(maps, results / "geometry")
     front_map.write_variants(results / "geometry.csv", maps)
-    return [claim_of(maps)]

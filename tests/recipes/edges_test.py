@@ -8,7 +8,6 @@ from pytest import fixture, mark
 import continuum
 import edge
 import lattice
-from claims.judge import holds
 from conftest import approx
 from measure.conventions import PRIMARY
 from measure import edges
@@ -51,17 +50,15 @@ class TestBisection:
 
 
 class TestClaim:
-    @staticmethod
-    def of(fast, arrested):
-        return {PRIMARY: {"slow": 0.04, "fast": fast}}, {PRIMARY: {"slow": arrested, "fast": 1.0}}
-
     def test_the_largest_difference_of_all_sigma_bar_counts(self):
-        for last, expected in ((0.1005, 0.001), (0.0975, -0.002), (0.0985, 0.001)):
-            pairs = [(0.1, *self.of(0.1, 0.101)), (0.2, *self.of(last, 0.0995))]
-            case = edge.cases(pairs)[PRIMARY]
-            assert case["largest difference of the edges"] == approx(abs(expected))
-        assert holds("4D-edge", [{"largest difference of the edges": 0.002}])
-        assert not holds("4D-edge", [{"largest difference of the edges": 0.0021}])
+        for last, expected in ((0.1005, 0.001), (0.0975, 0.002), (0.0985, 0.001)):
+            with_slip = {0.1: {"way": {"slow": 0.04, "fast": 0.1}}}
+            with_slip |= {0.2: {"way": {"slow": 0.04, "fast": last}}}
+            without = {
+                s: {"way": {"slow": x, "fast": 0.2}} for s, x in ((0.1, 0.101), (0.2, 0.0995))
+            }
+            found = edge.largest(with_slip, without, "way")
+            assert found == approx({"difference": expected, "change": 0.2 - min(last, 0.1)})
 
 
 class TestLattice:

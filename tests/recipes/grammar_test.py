@@ -51,7 +51,8 @@ def test_expressions(text, value):
 REFUSED = [  # an expression, and a word of the sentence
     ("__import__('os')", "not allowed"),
     ("x.__class__.__mro__()", "not allowed"),
-    ("[y for y in a.b]", "not allowed"),
+    ("[y for y in a for z in b]", "not allowed"),
+    ("[y.z for y.z in a]", "not allowed"),
     ("(lambda: 1)()", "not allowed"),
     ("x if v else 1", "not allowed"),
     ("f'{x}'", "not allowed"),

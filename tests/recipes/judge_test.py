@@ -6,98 +6,115 @@ from unittest import mock
 
 from pytest import mark, raises
 
-from claims import judge
+from claims import cases, judge
 from claims.conditions import RELATIONS, as_number, met
 from claims.judge import PRIMARY, conditions_of, holds, interval, judged, table, unmet, unmet_text
 from conftest import ROOT, approx
+from made_up import Made
+from rupture.errors import Failure
 
-ROW = {
-    "recipe": "fig0",
-    "says": "something",
-    "accepted": "if it is",
-    "unit": "run",
-    "kind": "finding",
-    "fixed": "today",
+ROW: dict = {"recipe": "fig0", "says": "something", "accepted": "if it is", "kind": "finding"}
+ROW |= {"fixed": "today", "shown": "shown", "measured": {"x": "x"}}
+OTHER: dict = {"under": {"other": {"with": {"x": "other"}}}}
+OF_UNITS: dict = {"unit": "run", "each": "case in units: of.cases", "ways": True}
+OF_UNITS["with"] = {"x": "case.x"}
+OF_UNITS |= {"in_picture": {"x": "x_shown"}, "among": {"spanning events": "case.spans"}}
+OF_UNITS |= {"counts": {"with more": "x > 2", "that it holds for": "holds"}}
+ROWS: dict[str, dict] = {
+    "all": {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
+    "one": {"conditions": {"x": {"above": 2}}} | OF_UNITS,
+    "alone": {"conditions": {"x": {"below": 1}}},
+    "two": {"conditions": {"x": {"below": 1}}, "with": {"x": "first"}} | OTHER,
+    "any": {"conditions": {"x": {"below": 1}}, "each": "units", "if": "x is not None", "ways": True}
+    | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
+    "state": {"conditions": {"x": {"below": 1}}, "unit": "seed", "each": "units", "ways": True}
+    | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
+    "unstated": {"conditions": {}},
 }
-MADE_UP = {
-    "all": ROW | {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
-    "same": ROW | {"like": "all"},
-    "like": ROW | {"like": "all", "conditions": {"type": "slow"}},
-    "one": ROW | {"conditions": {"x": {"above": 2}}, "exists": True},
-    "alone": ROW | {"unit": "", "conditions": {"x": {"below": 1}}},
-    "state": ROW | {"unit": "seed", "conditions": {"x": {"below": 1}}},
-    "unstated": ROW | {"unit": "", "conditions": {}},
-}
-GOOD, BAD = {"x": 3}, {"x": 1}
-LOW, HIGH = {"x": 0}, {"x": 2}
+MADE_UP = {name: ROW | row | {"id": name} for name, row in ROWS.items()}
+GOOD, BAD = 3, 1
+LOW, HIGH = 0, 2
 
 
 def is_finite(bound):
     return isfinite(as_number(bound))
 
 
-def units(good, bad, **others):
-    measured = {f"{n}": {PRIMARY: [BAD, GOOD]} for n in range(good)}
-    measured |= {f"{good + n}": {PRIMARY: [BAD]} for n in range(bad)}
-    for name, count in others.items():
-        for n, of_unit in enumerate(measured.values()):
-            of_unit[name] = [GOOD if n < count else BAD]
-    return measured
+def run(*xs, **others):
+    """A unit with cases of these x; under other ways to measure it has others."""
+    listed = {way: {"cases": [{"x": x, "spans": True} for x in of]} for way, of in others.items()}
+    return Made(of={"cases": [{"x": x, "spans": True} for x in xs], "under": listed})
 
 
-def seeds(held, other):
-    return {
-        f"{n}": {PRIMARY: [LOW if n < held else HIGH], "other": [LOW if n < other else HIGH]}
-        for n in range(5)
-    }
+def runs(good, bad, **others):
+    """So many units for which it holds, and does not; of all, so many under other ways."""
+    found = [run(BAD, GOOD) for _ in range(good)] + [run(BAD) for _ in range(bad)]
+    for way, count in others.items():
+        for n, unit in enumerate(found):
+            unit["of"]["under"] |= run(GOOD, **{way: [GOOD if n < count else BAD]})["of"]["under"]
+    return found
+
+
+def seed(x, **others):
+    return Made(of={"x": x, "under": {way: {"x": of} for way, of in others.items()}})
 
 
 FEW = "(primary); too few runs for a verdict"
 NOT_SHOWN = FEW.replace(";", ", but not in the case shown;")
 OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
-    (GOOD, units(20, 0), "reproduced", "holds in at least 20 of 20 runs (primary)"),
-    (GOOD, units(14, 6), "reproduced", "14 of 20 runs (primary)"),  # one exists: above a half
-    (GOOD, units(13, 7), "depends", f"holds in 13 of 20 runs {FEW}"),
-    (GOOD, units(9, 11), "depends", "9 of 20 runs (primary)"),
-    (BAD, units(20, 0), "depends", "holds in 20 of 20 runs (primary), but not in the case shown"),
-    (BAD, units(1, 19), "differs", "holds in at most 1 of 20 runs (primary)"),
-    (BAD, units(2, 18), "depends", f"2 of 20 runs {NOT_SHOWN}"),
-    (BAD, units(4, 16), "depends", f"4 of 20 runs {NOT_SHOWN}"),
-    (BAD, units(5, 15), "depends", "5 of 20 runs (primary), but not in the case shown"),
-    (GOOD, units(10, 10), "depends", f"10 of 20 runs {FEW}"),
-    (GOOD, units(20, 0, other=3), "depends", "runs (primary), down to 3 of 20 runs (other)"),
-    (GOOD, units(20, 0, other=13), "depends", "(other); too few runs for a verdict"),
-    (GOOD, units(20, 0, other=14), "reproduced", "14 of 20 runs (other)"),
+    (GOOD, runs(20, 0), "reproduced", "holds in at least 20 of 20 runs (primary)"),
+    (GOOD, runs(14, 6), "reproduced", "14 of 20 runs (primary)"),  # one exists: above a half
+    (GOOD, runs(13, 7), "depends", f"holds in 13 of 20 runs {FEW}"),
+    (GOOD, runs(9, 11), "depends", "9 of 20 runs (primary)"),
+    (BAD, runs(20, 0), "depends", "holds in 20 of 20 runs (primary), but not in the case shown"),
+    (BAD, runs(1, 19), "differs", "holds in at most 1 of 20 runs (primary)"),
+    (BAD, runs(2, 18), "depends", f"2 of 20 runs {NOT_SHOWN}"),
+    (BAD, runs(4, 16), "depends", f"4 of 20 runs {NOT_SHOWN}"),
+    (BAD, runs(5, 15), "depends", "5 of 20 runs (primary), but not in the case shown"),
+    (GOOD, runs(10, 10), "depends", f"10 of 20 runs {FEW}"),
+    (GOOD, runs(20, 0, other=3), "depends", "runs (primary), down to 3 of 20 runs (other)"),
+    (GOOD, runs(20, 0, other=13), "depends", "(other); too few runs for a verdict"),
+    (GOOD, runs(20, 0, other=14), "reproduced", "14 of 20 runs (other)"),
     (
         BAD,
-        units(0, 20, other=2),
+        runs(0, 20, other=2),
         "depends",
         f"up to 2 of 20 runs {NOT_SHOWN}".replace(PRIMARY, "other"),
     ),
 ]
-OTHER_LOW, OTHER_HIGH = ({"others": {"other": found}} for found in (LOW, HIGH))
-JUDGED = [  # a claim, the shown case, what was measured beside it, and the same
-    ("alone", LOW, {}, "reproduced", "holds"),
-    ("alone", HIGH, {}, "differs", "does not hold"),
-    ("one", GOOD, {}, None, "only the case shown was judged, no other runs"),
-    ("one", None, {}, "not comparable", "it could not be measured"),
-    ("unstated", None, {}, "not comparable", "gives no number to compare with; ours are reported"),
-    *(("one", shown, {"units": found}, *said) for shown, found, *said in OVER_UNITS),
-    ("state", LOW, {"units": seeds(3, 3)}, "reproduced", "holds in all of the 2 ways to measure"),
-    (
-        "state",
-        LOW,
-        {"units": seeds(3, 2)},
-        "depends",
-        "of the 2 ways to measure, does not hold in other",
-    ),
-    ("state", LOW, {"units": seeds(2, 0)}, "differs", "holds in none of the 2 ways to measure"),
-    ("alone", LOW, OTHER_LOW, "reproduced", "holds in all of the 2 ways to measure"),
-    ("alone", HIGH, OTHER_HIGH, "differs", "holds in none of the 2 ways to measure"),
-    ("alone", LOW, OTHER_HIGH, "depends", "of the 2 ways to measure, does not hold in other"),
-    ("alone", HIGH, OTHER_LOW, "depends", "of the 2 ways to measure, does not hold in primary"),
-    ("alone", None, OTHER_LOW, "not comparable", "could not be measured"),
+
+
+def seeds(held, other):
+    """Of five, so many for which it holds, and so many under the other way to measure."""
+    return [seed(LOW if n < held else HIGH, other=LOW if n < other else HIGH) for n in range(5)]
+
+
+JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reason ends
+    ("alone", LOW, [], "reproduced", "holds"),
+    ("alone", HIGH, [], "differs", "does not hold"),
+    ("one", GOOD, [], None, "only the case shown was judged, no other runs"),
+    ("one", GOOD, runs(4, 0), None, "only the case shown was judged, no other runs"),
+    ("one", None, [], "not comparable", "it could not be measured"),
+    ("unstated", None, [], "not comparable", "gives no number to compare with; ours are reported"),
+    *(("one", shown, found, *said) for shown, found, *said in OVER_UNITS),
+    ("state", LOW, seeds(3, 3), "reproduced", "holds in all of the 2 ways to measure"),
+    ("state", LOW, seeds(3, 2), "depends", "of the 2 ways to measure, does not hold in other"),
+    ("state", LOW, seeds(2, 0), "differs", "holds in none of the 2 ways to measure"),
+    ("two", (LOW, LOW), [], "reproduced", "holds in all of the 2 ways to measure"),
+    ("two", (HIGH, HIGH), [], "differs", "holds in none of the 2 ways to measure"),
+    ("two", (LOW, HIGH), [], "depends", "of the 2 ways to measure, does not hold in other"),
+    ("two", (HIGH, LOW), [], "depends", "of the 2 ways to measure, does not hold in primary"),
+    ("any", LOW, seeds(0, 1), "reproduced", "holds in all of the 2 ways to measure"),
+    ("any", LOW, seeds(5, 0), "depends", "of the 2 ways to measure, does not hold in other"),
+    ("any", None, seeds(1, 1), "not comparable", "it could not be measured"),
 ]
+
+
+def shown_of(x):
+    """The point in the picture; none if it could not be measured."""
+    if isinstance(x, tuple):
+        return [Made(zip(("first", "other"), x))]
+    return [] if x is None else [Made(x=x, x_shown=x, of={"x": x})]
 
 
 @mock.patch.object(judge, "table", lambda: MADE_UP)
@@ -107,9 +124,7 @@ class TestJudge:
             *((0.25, "fast", True), (0.5, "fast", True), (0.2499, "fast", False)),
             *((0.5001, "fast", False), (0.3, "slow", False), (None, "fast", False)),
         ):
-            for name in ("all", "same"):
-                assert holds(name, [{"x/L": x, "type": kind}]) == expected, (x, kind)
-        assert unmet("like", {"x/L": 0.7, "type": "slow"}) == ["x/L"]
+            assert holds("all", [{"x/L": x, "type": kind}]) == expected, (x, kind)
 
     def test_names_what_is_not_met(self):
         assert unmet("all", {"x/L": 0.7, "type": "slow"}) == ["x/L", "type"]
@@ -133,34 +148,64 @@ class TestJudge:
         with raises(KeyError):
             holds("alone", [{"y": 1}])
 
-    @mark.parametrize("claim_id, shown, beside, verdict, reason", JUDGED)
-    def test_a_verdict_and_its_reason(self, claim_id, shown, beside, verdict, reason):
-        claim = judged(claim_id, {}, shown, **beside)
+    @mark.parametrize("claim_id, shown, units, verdict, reason", JUDGED)
+    def test_a_verdict_and_its_reason(self, claim_id, shown, units, verdict, reason):
+        claim = judged(claim_id, {"shown": shown_of(shown), "units": units})
         because, _, wanted = claim.reason.partition(" (x is ")
+        because = because.partition("; 20 of")[0] if "spanning" in because else because
+        because = because.rpartition("; ")[0] if because.endswith("spanning events") else because
         assert (claim.verdict, because[-len(reason) :]) == (verdict, reason)
         assert bool(wanted) == (claim.case == "does not hold")
-        assert bool(claim.shares) == ("units" in beside)
 
     def test_one_state_has_a_share_without_interval(self):
-        shares = judged("state", {}, LOW, seeds(3, 3)).shares
+        shares = judge.shares_of(MADE_UP["state"], {"units": seeds(3, 3)})
         assert [(s.units, s.low, s.high) for s in shares] == 2 * [(1, None, None)]
 
-    def test_a_unit_counts_under_its_conventions_only(self):
-        measured = units(20, 0)
-        for number in range(9):
-            measured[f"{number}"]["other"] = [GOOD] if number else []
-        claim = judged("one", {}, GOOD, measured)
-        _, other = claim.shares
-        assert (other.convention, other.holds, other.units) == ("other", 8, 9)
+    def test_a_unit_without_a_case_counts_against_the_claim(self):
+        units = runs(10, 0, other=10)
+        units[0]["of"]["under"]["other"]["cases"] = []
+        _, other = judge.shares_of(MADE_UP["one"], {"units": units})
+        assert (other.convention, other.holds, other.units) == ("other", 9, 10)
+
+    def test_a_point_that_failed_counts_against_the_claim(self):
+        failed = Made()
+        failed.status = "failed"
+        [share] = judge.shares_of(MADE_UP["one"], {"units": [*runs(5, 0), failed]})
+        assert (share.holds, share.units) == (5, 6)
+
+    def test_where_there_is_nothing_to_compare_there_is_no_unit(self):
+        row = MADE_UP["any"] | {"unit": "run"}
+        [share] = judge.shares_of(row, {"units": [seed(LOW), seed(HIGH), seed(None)]})
+        assert (share.holds, share.units) == (1, 2)
+
+    def test_a_branch_is_another_convention(self):
+        row = MADE_UP["any"] | {"unit": "run", "ways": False}
+        row |= {"under": {"further": {"each": "others"}, "less": {"with": {"x": "of.x - 2"}}}}
+        chains = {"units": [seed(HIGH)], "others": [seed(LOW), seed(HIGH)]}
+        shares = {s.convention: (s.holds, s.units) for s in judge.shares_of(row, chains)}
+        assert shares == {PRIMARY: (0, 1), "further": (1, 2), "less": (1, 1)}
 
     def test_counts_spanning_events_where_one_is_enough(self):
-        good, bad = GOOD | {"spans": "yes"}, BAD | {"spans": "yes"}
-        runs = {f"{n}": {PRIMARY: [good, bad, bad, BAD | {"spans": "no"}]} for n in range(20)}
-        assert judged("one", {}, GOOD, runs).reason.endswith("; 20 of 60 spanning events")
+        units = [run(GOOD, BAD, BAD) for _ in range(20)]
+        units[0]["of"]["cases"][0]["spans"] = False
+        found = judged("one", {"shown": shown_of(GOOD), "units": units})
+        assert found.reason.endswith("; 19 of 59 spanning events")
 
     def test_counts_units_that_have_run(self):
-        assert judge.units_with(lambda case: case["x"] > 2, units(3, 2)) == "3 of 5"
-        assert judge.units_with(lambda case: case["x"] > 2, {}) == "not run"
+        for units, counts in ((runs(3, 2), "3 of 5"), ([], "not run")):
+            found = judged("one", {"shown": shown_of(GOOD), "units": units}).measured
+            assert found == {"x": 3, "with more": counts, "that it holds for": counts}
+
+    def test_several_cases_are_shown_and_the_first_decides(self):
+        row = MADE_UP["alone"] | {"shown": {"II": "shown", "I": "units"}}
+        with mock.patch.object(judge, "table", lambda: {"alone": row}):
+            found = judged("alone", {"shown": shown_of(LOW), "units": shown_of(HIGH)})
+        assert (found.measured, found.case) == ({"II: x": LOW, "I: x": HIGH}, "holds")
+
+    def test_a_name_that_does_not_exist_is_named_with_the_claim(self):
+        row = MADE_UP["alone"] | {"measured": {"x": "y"}}
+        with raises(Failure, match="claims.toml, claim alone: 'y': there is no y"):
+            cases.Names(row, Made(x=1)).case()
 
     def test_interval(self):
         assert interval(0, 20)[0] == 0
@@ -184,7 +229,7 @@ class TestTable:
         for claim_id, row in table().items():
             assert {"recipe", "says", "fixed", "accepted"} <= set(row)
             assert row["kind"] in ("finding", "check")
-            assert {"conditions", "like"} & set(row)
+            assert "conditions" in row and "shown" in row and "measured" in row
             assert (ROOT / f"recipes/{row['recipe']}/figure.py").exists()
             for condition in conditions_of(claim_id).values():
                 if isinstance(condition, dict):

@@ -1,4 +1,4 @@
-"""Maps of front types (measure/front_map.py, map_claims.py) and rank tests (rank_test.py)."""
+"""Maps of front types (measure/front_map.py, map_order.py) and rank tests (rank_test.py)."""
 
 import numpy as np
 from pytest import raises
@@ -6,10 +6,10 @@ from scipy.stats import mannwhitneyu
 
 from conftest import approx
 from measure.rank_test import permutation, share_of_lower, van_elteren
-from measure.conventions import MEASURES, SETS, WAYS
+from measure.conventions import MEASURES, PRIMARY, SETS, WAYS
 from measure import front_map
-from measure.front_map import front_type
-from measure.map_claims import case_of_map, claim_over_seeds, out_of_order
+from measure.front_map import front_type, out_of_order
+from measure.map_order import in_each_way
 from measure.map_points import boundary_of_variants
 
 ARRESTED, SLOW, FAST = (
@@ -104,17 +104,25 @@ class TestSeeds:
         fronts = {(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}
         assert out_of_order(fronts) == {(0.0, 0.0)}
 
-    def test_the_majority_of_the_seeds_decides_under_each_convention(self):
-        kinds = [ARRESTED, SLOW, FAST]
-        maps = {seed: {(float(t), 0.0): {seed: kinds[t]} for t in range(3)} for seed in range(1, 6)}
-        for count, verdict in ((2, "reproduced"), (3, "differs")):
-            for seed in range(1, count + 1):
-                maps[seed][0.5, 0.0] = {seed: FAST}  # between arrested and slow ones
-                maps[seed][1.5, 0.0] = {seed: FAST}
-                maps[seed][2, 0.0] = {seed: SLOW}
-            found = claim_over_seeds("4D", maps[5], maps, lambda m, **way: case_of_map(m, m, **way))
-            assert found.verdict == verdict
-            assert [share.convention for share in found.shares] == [*MEASURES]
+    def test_the_worst_of_several_maps_counts_in_each_way(self):
+        mixed: dict = {"types": dict.fromkeys(WAYS, "slow") | {"stencil 3": "fast"}}
+        rows: dict = {  # from low to high tau_bar_0
+            "all": [ARRESTED, mixed, FAST],
+            "two": [ARRESTED, FAST, FAST],
+            "out of order": [SLOW, ARRESTED, FAST],
+        }
+        maps = {
+            name: {(t / 10, 0.0): {1: f} for t, f in enumerate(of)} for name, of in rows.items()
+        }
+        for names, primary, other in (
+            (["all"], (3, 0), (2, 0)),
+            (["all", "two"], (2, 0), (2, 0)),
+            (["all", "out of order"], (3, 1), (2, 1)),
+        ):
+            found = in_each_way({name: maps[name] for name in names})
+            assert (found["types"], found["out_of_order"]) == primary
+            assert [*found["under"]] == [way for way in MEASURES if way != PRIMARY]
+            assert tuple(found["under"]["stencil 3"].values()) == other
 
 
 class TestOrderInWords:

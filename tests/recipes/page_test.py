@@ -257,8 +257,17 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
         ids |= set(re.findall(r'OwnResult\(\s*(?:id=)?"(\w+)"', "".join(own)))
     places, names = PLACE.findall(text), set().union(*map(names_in, scripts))
     assert {claim for claim, _ in places} <= ids
-    for _, quantity in places:
-        parts = " ".join(quantity.split()).split(": ")
+    for claim, quantity in places:
+        quantity = " ".join(quantity.split())
+        if claim in table():
+            row = table()[claim]
+            shown = (
+                [""] if isinstance(row["shown"], str) else [f"{name}: " for name in row["shown"]]
+            )
+            measured = [f"{name}{of}" for name in shown for of in row["measured"]]
+            assert quantity in (*measured, *row.get("counts", ()), "holds", "units")
+            continue
+        parts = quantity.split(": ")
         ends = [": ".join(parts[n:]) for n in range(len(parts))]
         assert any(re.fullmatch(name, end) for name in names for end in ends), quantity
 

@@ -7,9 +7,7 @@ import numpy as np
 from pytest import mark
 
 import decay_length
-import decay_length_figure
 import no_slip_force
-from claims.judge import holds
 from conftest import approx
 from measure.conventions import MEASURES, PRIMARY, WAYS
 
@@ -86,10 +84,19 @@ class TestOneFront:
             assert (found["profiles"], found["l_0"][PRIMARY]) == (0, None)
 
 
-class TestOneSeed:
-    def test_fronts_count_equally_and_those_without_a_length_not(self):
-        fronts = [{"l_0": dict.fromkeys(decay_length.METHODS, l_0)} for l_0 in (1, None, 2, 9)]
-        assert decay_length_figure.lengths(fronts)[PRIMARY] == 2
+class TestSeveralFronts:
+    def test_they_count_equally_and_those_without_a_length_not(self):
+        fronts: list[dict] = [
+            {"l_0": dict.fromkeys(decay_length.METHODS, l_0), "profiles": 2 if l_0 else 0}
+            for l_0 in (1, None, 2, 9)
+        ]
+        fronts[1]["l_0"]["fall to 1/e"] = 5.0
+        found = decay_length.of_fronts(fronts)
+        counts = {"fronts": 3, "profiles": 6, "of_fronts": [1, 9], "of_methods": [2, 3.5]}
+        assert found.items() >= (counts | {"l_0": 2}).items()
+        assert found["under"]["fall to 1/e"] == {"l_0": 3.5}
+        none = decay_length.of_fronts(fronts[1:2])
+        assert (none["l_0"], none["of_fronts"]) == (None, None)
 
 
 def front(kind, slowest=300.0, **types):
@@ -105,27 +112,25 @@ def front(kind, slowest=300.0, **types):
 
 class TestNoSlipForce:
     NEARLY_SLOW = front("fast", 90.0, **{"slow below c_s/10": "slow"})
-    SEEDS = {1: [NEARLY_SLOW, front("fast"), front("arrested", 1.0), None]}
+    FRONTS = [NEARLY_SLOW, front("fast"), front("arrested", 1.0), None]
     NARROW, WIDE, REFERENCE = (
         {name: {"slow": 0.1, "fast": 0.1 + width} for name in MEASURES}
         for width in (0.001, 0.004, 0.06)
     )
-    BANDS = {
-        1: {"0": (NARROW, REFERENCE), "0.1": (NARROW | {"stencil 3": WIDE[PRIMARY]}, REFERENCE)}
-    }
+    BANDS = {"0": (NARROW, REFERENCE), "0.1": (NARROW | {"stencil 3": WIDE[PRIMARY]}, REFERENCE)}
 
-    def test_counts_types_under_each_convention(self):
-        units = no_slip_force.units_of(self.SEEDS, self.BANDS)["seed 1"]
-        kinds = {"arrested fronts": 1, "slow fronts": 0, "fast fronts": 2}
-        assert units[PRIMARY][0].items() >= kinds.items()
-        one_slow = kinds | {"slow fronts": 1, "fast fronts": 1}
-        assert units["slow below c_s/10"][0].items() >= one_slow.items()
-
-    def test_no_slow_front_means_a_band_narrower_than_a_twentieth_of_the_references(self):
-        units = no_slip_force.units_of(self.SEEDS, self.BANDS)["seed 1"]
-        assert units[PRIMARY][0]["slow band/the reference's"] == approx(1 / 60)
-        assert holds("no-slip-force", units[PRIMARY])
-        assert not holds("no-slip-force", units["stencil 3"])  # at one of the sigma_bar
+    @mark.parametrize(
+        "way, widest, kinds",
+        [
+            (PRIMARY, 1 / 60, (1, 0, 2)),
+            ("slow below c_s/10", 1 / 60, (1, 1, 1)),
+            ("stencil 3", 1 / 15, (1, 0, 2)),  # at one of the sigma_bar
+        ],
+    )
+    def test_types_and_the_widest_band_in_each_way(self, way, widest, kinds):
+        found = no_slip_force.found_in(way, self.FRONTS, self.BANDS)
+        expected = dict(zip(("arrested", "slow", "fast"), kinds)) | {"widest": widest}
+        assert found == approx(expected)
 
     def test_what_cannot_be_prepared_is_impossible(self):
         assert set(no_slip_force.types_of(None).values()) == {"impossible"}

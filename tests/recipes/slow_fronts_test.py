@@ -75,12 +75,6 @@ class TestFronts:
         rows = [{"front speed [m/s]": v} for v in (2.9, 3.0, 10.0)]
         assert slow_fronts.without_near_arrest(rows) == rows[1:]
 
-    def test_a_seed_needs_points_of_all_chains(self, points_of):
-        some, others = points_of((1, {}), (12, {}), (1, {})), points_of((1, {}))
-        units = slow_fronts.of_seeds(lambda a, b: (len(a), len(b)), some, others)
-        assert units == {"seed 1": (2, 1)}
-        assert slow_fronts.of_seeds(len, some) == {"seed 1": 2, "seed 12": 1}
-
 
 def run(variant, estimate, speed):
     """A front of claim 3C-inset."""
@@ -92,14 +86,14 @@ SET = [run(name, x, 0.9 * x) for name in ("t_R", "tau_slip", "k_i") for x in (1e
 
 class TestSlowSlip:
     def test_a_line_through_the_origin(self):
-        case = slow_slip.case_of(slow_slip.varied(SET))
+        case = slow_slip.fit_of(slow_slip.varied(SET))
         assert case["slope"] == approx(0.9)
-        assert case["R^2"] == approx(1)
+        assert case["r_squared"] == approx(1)
 
     def test_each_quantity_has_to_vary(self):
-        missing = {"slope": None, "R^2": None}
-        assert slow_slip.case_of(slow_slip.varied(SET[1:])) == missing
-        assert slow_slip.case_of(slow_slip.varied(SET, "k_i and K")) == missing
+        missing = {"slope": None, "r_squared": None}
+        assert slow_slip.fit_of(slow_slip.varied(SET[1:])) == missing
+        assert slow_slip.fit_of(slow_slip.varied(SET, "k_i and K")) == missing
 
     def test_neighbours(self):
         blocks = [10, 11, 13, 14]  # 11 and 13 are no neighbours
@@ -108,7 +102,7 @@ class TestSlowSlip:
         assert slow_slip.largest_ratio(row) == approx(1.25)
         row["per_block"]["speed"][0] = -1.0
         assert slow_slip.largest_ratio(row) is None
-        assert slow_slip.case_of_neighbours([])["largest ratio of neighbours"] is None
+        assert slow_slip.neighbours([]) == {"largest": None, "fronts": 0, "alike": 0}
 
 
 def front(model, *, factor, mu_d, sigma_bar="0.1"):
@@ -134,17 +128,17 @@ class TestFrontSpeed:
     wide = [front("full", factor=0.9, mu_d=mu_d, sigma_bar="0.2") for mu_d in (0.1, 0.2)]
 
     def test_one_factor_for_each_model(self):
-        case = front_speed.case_3D(self.full + self.simplified)
-        assert case["R^2, full"] == approx(1)
-        assert case["difference of the slopes"] == approx(0.2)
+        case = front_speed.scaling_of(self.full + self.simplified)
+        assert case["r_squared_full"] == approx(1)
+        assert case["difference"] == approx(0.2)
 
     def test_a_model_without_fronts_counts_as_not_measured(self):
-        case = front_speed.case_3D(self.full)
-        assert case["R^2, simplified"] is None
-        assert case["difference of the slopes"] is None
+        case = front_speed.scaling_of(self.full)
+        assert case["r_squared_simplified"] is None
+        assert case["difference"] is None
 
     def test_another_width_is_that_of_the_full_model_alone(self):
         rows = front_speed.with_width(self.full + self.simplified, self.wide, 0.2)
         assert rows == self.simplified + self.wide
-        difference = front_speed.case_3D(rows)["difference of the slopes"]
+        difference = front_speed.scaling_of(rows)["difference"]
         assert difference == approx(0.1)

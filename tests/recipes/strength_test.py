@@ -1,6 +1,7 @@
 """Claim 4C: slow points gather at low sigma_bar (recipes/fig4/strength.py); all made up."""
 
-from strength import WAYS, Block, claim_4C, map_strata
+from conftest import approx
+from strength import Block, largest_deviation, map_strata, on_map, over_events
 
 LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}
 POINT = Block("slow", 0.5, 0.1, 0.5, "uniform")  # on its curve
@@ -21,29 +22,30 @@ EVENT = [
 ]
 
 
-def judged(maps, events):
-    return claim_4C(maps, [POINT], LINES, dict(enumerate(events)))
-
-
 class TestGathering:
     def test_strata_are_grid_points_of_equal_tau_bar_0(self):
         types = {(0.1, 0.0): "slow", (0.1, 0.1): "fast", (0.2, 0.0): "arrested"}
         assert map_strata(types) == [([0.0], [0.1]), ([], [])]
 
-    def test_each_seed_has_its_own_map(self):
-        maps = dict.fromkeys(range(1, 4), GATHERED) | dict.fromkeys((4, 5), MIXED)
-        claim = judged(maps, [EVENT] * 8)
-        held = {share.convention: share.holds for share in claim.shares}
-        assert set(held) == set(WAYS)
-        assert (held["primary"], held["permutation test"]) == (1, 1)  # most of them
-        claim = judged(maps | {3: MIXED}, [EVENT] * 8)
-        assert claim.verdict == "differs" and not any(share.holds for share in claim.shares)
+    def test_slow_points_of_a_map_gather_or_do_not(self):
+        for types, gather in ((GATHERED, True), (MIXED, False)):
+            found = on_map(types)
+            ps = [found["p"], *(of["p"] for of in found["under"].values())]
+            assert [p < 0.01 for p in ps] == 4 * [gather]
+        above = {place: {"slow": "fast", "fast": "slow"}[kind] for place, kind in GATHERED.items()}
+        assert on_map(above)["p"] > 0.99
+        assert on_map({(0.1, 0.0): "slow"})["p"] is None
 
     def test_the_width_of_bins_acts_on_events(self):
-        claim = judged(dict.fromkeys(range(1, 6), GATHERED), [EVENT] * 8)
-        held = {share.convention: share.holds for share in claim.shares}
-        assert [held[f"bins of {width}"] for width in (0.05, 0.2)] == [1, 0]
-        assert claim.verdict == "depends"
+        found = over_events(dict(enumerate([EVENT] * 8)))
+        ps = {way: of["p"] < 0.01 for way, of in found["under"].items()}
+        assert (found["p"] < 0.01, found["events"], found["median_share"]) == (True, 8, 1.0)
+        assert ps == {"bins of 0.05": True, "bins of 0.2": False, "permutation test": True}
 
-    def test_without_other_events_it_cannot_be_judged(self):
-        assert judged({1: GATHERED}, []).verdict == "not comparable"
+    def test_few_events_tell_nothing(self):
+        assert over_events(dict(enumerate([EVENT] * 4)))["p"] is None
+        assert over_events({})["median_share"] is None
+
+    def test_the_largest_deviation_from_a_curve_may_be_below_it(self):
+        low = Block("slow", 0.5, 0.1, 0.45, "uniform")
+        assert largest_deviation([POINT, low], LINES) == approx(0.1)

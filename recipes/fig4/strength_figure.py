@@ -1,0 +1,48 @@
+"""Figure 4 C and its data."""
+
+from measure.tables import write_table
+from report.plotting import BLACK, EVENT, SINGLE, figure, letter, save
+from strength import blocks_of, lines_of, prepared_points
+
+SHOWN = {"fast-slow-fast": ("I", EVENT["I"]), "second-slow": ("II", EVENT["II"])}
+MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
+CURVES = {"uniform": "-", "bell": "--"}
+
+
+def draw_kind(axes, kind, colour, blocks=(), **look):
+    """Without blocks, for the legend."""
+    x, y = ([getattr(b, q) for b in blocks if b.kind == kind] for q in ("sigma_bar", "mu_bar_eff"))
+    face = "none" if kind == "loading zone" else colour
+    axes.plot(x, y, MARKERS[kind], color=colour, markerfacecolor=face, markersize=3.2, **look)
+
+
+def draw(events, points, lines, stem):
+    fig, axes = figure(SINGLE, 0.85 * SINGLE)
+    for shape, style in CURVES.items():
+        axes.plot(*lines[shape], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
+    coloured = {f"event {name}": (colour, events[of]) for of, (name, colour) in SHOWN.items()}
+    coloured["prepared"] = BLACK, points
+    for colour, blocks in coloured.values():
+        for kind in ("loading zone", "arrested", "fast", "slow"):
+            draw_kind(axes, kind, colour, blocks, markeredgewidth=0.7)
+    for kind in MARKERS:
+        draw_kind(axes, kind, "grey", label=kind)
+    for name, (colour, _) in coloured.items():
+        axes.plot([], [], "s", color=colour, label=name)
+    axes.legend(loc="lower left", handlelength=1.6)
+    axes.set(xlabel=r"$\bar\sigma$", ylabel=r"$\bar\mu_s^\mathrm{eff}$")
+    axes.set(xlim=(-0.02, 0.6), ylim=(0, 1.05))
+    letter(axes, "C")
+    save(fig, stem)
+
+
+def make(chains, results, events):
+    """`events`: {name: point}."""
+    shown = {name: blocks_of(events[name]["front"], events[name]["strength"]) for name in SHOWN}
+    points, lines = prepared_points(chains["strength"]), lines_of(chains["strength_curves"])
+    draw(shown, points, lines, results / "fig4C")
+    named = [(f"prepared, {point.shape}", point) for point in points]
+    named += [(event, block) for event, blocks in shown.items() for block in blocks]
+    names = ["kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"]
+    rows = ([name, *(getattr(block, of) for of in names)] for name, block in named)
+    write_table(results / "strength.csv", ["points", *names], rows)

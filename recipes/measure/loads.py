@@ -1,0 +1,16 @@
+"""The events of the ensemble's loads, by load."""
+
+
+def name_of(point):
+    """Of its load: `load-203`, `decaying-01`, or `damping-half-203` of another chain of loads."""
+    variant = point["variant"]
+    try:
+        seed = point["numerics.seed"]
+    except KeyError:  # of the loads that figures show
+        seed = 1
+    return f"{'load' if variant == 'reference' else variant}-{seed:02.0f}"
+
+
+def events_of(points):
+    """{load: its events} of points of ensemble/events or shown_events."""
+    return {name_of(point): point["measured"]["events"] for point in points}

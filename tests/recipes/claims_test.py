@@ -1,0 +1,126 @@
+"""Rows of claims.toml: what they measure, and when they hold, on made-up reports (examples.py)."""
+
+import json
+import re
+
+from pytest import mark
+
+from claims import judge
+from claims.cases import Names
+from claims.conditions import as_number
+from examples import EXAMPLES
+from made_up import Made
+from rupture.errors import Failure
+
+
+def changed(reports, change):
+    """The reports with {"report.entry": value}."""
+    found = json.loads(json.dumps(reports))  # a copy that shares nothing
+    for name, value in change.items():
+        *path, last = name.split(".")
+        place = found
+        for key in path:
+            place = place[int(key)] if isinstance(place, list) else place.setdefault(key, {})
+        place[int(last) if isinstance(place, list) else last] = value
+    return Made(found)
+
+
+def answer(row, reports, change):
+    """Whether the claim holds for a point with these reports."""
+    case = Names(row, changed(reports, change)).case(row["conditions"])
+    return all(judge.met(condition, case[name]) for name, condition in row["conditions"].items())
+
+
+def answers(row, example):
+    """To all of an example."""
+    return [
+        answer(row, example.reports, change) for change in ({}, *example.within, *example.beyond)
+    ]
+
+
+def expected(example):
+    return [True] * (1 + len(example.within)) + [False] * len(example.beyond)
+
+
+JUDGED = {name: row for name, row in judge.table().items() if row["conditions"]}
+
+
+def test_each_claim_with_conditions_has_an_example():
+    assert EXAMPLES.keys() == JUDGED.keys()
+
+
+@mark.parametrize("claim_id", EXAMPLES)
+def test_a_claim_holds_within_its_bounds_and_not_beyond(claim_id):
+    example = EXAMPLES[claim_id]
+    assert answers(JUDGED[claim_id], example) == expected(example)
+
+
+def faults_in(row):
+    """Rows with one number or one comparison of the conditions and expressions changed."""
+    for name, condition in row["conditions"].items():
+        if not isinstance(condition, dict):
+            other = {"yes": "no", "no": "yes"}.get(condition, 7)
+            yield row | {"conditions": row["conditions"] | {name: other}}
+            continue
+        for relation, bound in condition.items():
+            number = as_number(bound)
+            near = (number - 1, number + 1) if bound in range(10) else (0.7 * number, 1.4 * number)
+            for moved in near:
+                new = row["conditions"] | {name: condition | {relation: moved}}
+                yield row | {"conditions": new}
+            turned = {
+                "at_least": "at_most",
+                "at_most": "at_least",
+                "above": "below",
+                "below": "above",
+            }
+            new = {turned[r] if r == relation else r: b for r, b in condition.items()}
+            if len(new) == len(condition):
+                yield row | {"conditions": row["conditions"] | {name: new}}
+    used = " ".join(row["measured"][name] for name in row["conditions"])
+    texts = {("measured", n): row["measured"][n] for n in row["conditions"]}
+    grown = True
+    while grown:
+        more = {
+            ("with", n): t
+            for n, t in row.get("with", {}).items()
+            if re.search(rf"\b{n}\b", used) and ("with", n) not in texts
+        }
+        grown = bool(more)
+        texts |= more
+        used += " ".join(more.values())
+    for (section, name), text in texts.items():
+        for old, new in (
+            *((" < ", " >= "), (" > ", " <= "), (" >= ", " < "), (" <= ", " > "), (" == ", " != ")),
+            *(
+                (" and ", " or "),
+                ("max(", "min("),
+                ("min(", "max("),
+                (" - ", " + "),
+                (" / ", " * "),
+            ),
+            *((" * ", " / "), (" is not ", " is "), ("not ", "")),
+        ):
+            for found in re.finditer(re.escape(old), text):
+                other = text[: found.start()] + new + text[found.end() :]
+                yield row | {section: row[section] | {name: other}}
+
+
+def is_noticed(row, example):
+    try:
+        return answers(row, example) != expected(example)
+    except (Failure, TypeError, ValueError):
+        return True
+
+
+@mark.parametrize("claim_id", EXAMPLES)
+def test_a_fault_in_a_row_changes_the_answer_to_an_example(claim_id):
+    unseen = [row for row in faults_in(JUDGED[claim_id]) if not is_noticed(row, EXAMPLES[claim_id])]
+    differences = [
+        (key, name, value)
+        for row in unseen
+        for key in ("conditions", "measured", "with")
+        for name, value in row.get(key, {}).items()
+        if JUDGED[claim_id].get(key, {}).get(name) != value
+    ]
+    assert differences == []

@@ -1,0 +1,333 @@
+"""Made-up reports for each row of claims.toml: those for which the claim holds, changes just within
+the bounds of each condition, and just beyond them. The bounds are those of docs/claims.md and of
+the paper.
+
+A change is {"report.entry": value}; of a list, {"report.entry.3": value}."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Example:
+    reports: dict
+    within: list = field(default_factory=list)
+    beyond: list = field(default_factory=list)
+
+
+L, C_S = 0.14, 968.0
+
+
+def event(spanning, drop, reaches):
+    """For 1D: whether it spans, its drop of F_T, whether the leading edge ruptures."""
+    line = {"t_rupture": [0.0, 1.0 if reaches else None], "spanning": spanning}
+    return line | {"F_T_before": 100.0 + drop, "F_T_after": 100.0}
+
+
+def load(*events):
+    return {"measured": {"events": [e | {"t_start": float(n)} for n, e in enumerate(events)]}}
+
+
+EARLY, LARGE = event(False, 1, False), event(True, 10, True)
+WORDS: dict = {"fast_slow_fast": True, "L": L, "t_rupture": [0.0, 0.1, 0.2, 1.0, 2.0, 2.1, 2.2]}
+WORDS["in_words"] = {
+    "x_from": 0.07,
+    "x_to": 0.0938,
+    "t_from": 1.0,
+    "t_to": 2.0,
+    "fast_before": 300.0,
+}
+SLOW: dict = {"x_from": 0.07, "x_to": 0.098, "duration": 1e-3, "slowest": 9.68}
+SLOW["fast_before"] = C_S / 3
+FRONT: dict = {"type": "slow", "c_s": C_S, "L": L, "slow": SLOW}
+NOT_IN_WORDS = [{"front.fast_slow_fast": False}, {"front.fast_slow_fast": None}]
+PAIR = {"x_arrest": 0.07, "L": L}
+SLIPS = {"fast_slip": 1.0, "slow_r_squared": 0.96}
+LINE: dict = {"t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "in_words": {"duration": 1e-3}}
+NUMBERS = {"types": 3, "out_of_order": 0}
+OUT_OF_ORDER = [{"order.types": 2}, {"order.out_of_order": 1}, {"order.types": None}]
+SIMPLIFIED: dict = {"type": "slow", "t_start": 1.0, "t_end": 2.0}
+SIMPLIFIED["slow"] = {"fast_before": 100.0, "speed": 10.0, "duration": 0.5e-3}
+GATHERING = {"deviation": {"largest": 0.02}, "on_map": {"p": 0.009}, "over_events": {"p": 0.009}}
+LAW = {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}
+STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18]}
+SLOPES = {"r_squared_full": 0.95, "r_squared_simplified": 0.95, "difference": 0.2}
+
+EXAMPLES = {
+    "1D": Example(
+        load(EARLY, *[LARGE] * 5),
+        within=[
+            load(EARLY, *[LARGE] * 5, event(False, 1, True)),  # a later one may reach the edge
+            load(EARLY, *[LARGE] * 5, event(False, 4.9, False)),  # less than half the largest
+        ],
+        beyond=[
+            load(event(False, 1, True), *[LARGE] * 5),
+            load(EARLY, *[LARGE] * 5, event(False, 5, False)),  # half the largest is large
+            load(EARLY, *[LARGE] * 4, event(True, 4, True)),  # four large drops
+        ],
+    ),
+    "1E": Example(
+        {
+            "front": {"x": [0.07] * 29, "L": L, "t_rupture": [9.0] * 28 + [2e-3]},
+            "peaks": {
+                "t_peak": [9.0] * 28 + [2e-3],
+                "before": [9.0] * 28 + [0.2],
+                "at_peak": [0.0] * 28 + [0.3],
+                "after": [9.0] * 28 + [0.1],
+            },
+        },
+        within=[{"peaks.t_peak.28": 2.099e-3}, {"peaks.t_peak.28": 1.901e-3}],
+        beyond=[
+            {"peaks.t_peak.28": 2.101e-3},
+            {"peaks.t_peak.28": 1.899e-3},
+            {"front.t_rupture.28": None},  # it does not rupture
+            {"peaks.after.28": 0.3},  # friction does not fall again
+            {"peaks.before.28": 0.3},  # nor rise
+            {"peaks.after.28": None},  # it has lost contact
+        ],
+    ),
+    "1F": Example(
+        {"law": LAW},
+        beyond=[
+            {"law.deviation": 1.1e-12},
+            {"law.breaks_beyond_f_thres": False},
+            {"law.latest_repinning": 1},
+        ],
+    ),
+    "1G": Example(
+        {"range": STEADY, "limits": {"mu": [0.2, 0.17]}},
+        within=[{"range.mu.0": 0.2019}, {"limits.mu.0": 0.2019}, {"limits.mu.1": 0.1684}],
+        beyond=[
+            {"range.mu.0": 0.2021},
+            {"range.mu": [0.2, 0.19, 0.19], "range.mu_theory": [0.2, 0.19, 0.19]},
+            {"limits.mu.0": 0.2021},
+            {"limits.mu.1": 0.1682},
+        ],
+    ),
+    "2A": Example({"event": WORDS}, beyond=[{"event.fast_slow_fast": False}]),
+    "2B": Example(
+        {"event": FRONT | {"type": "fast"}},
+        beyond=[{"event.type": "slow"}, {"event.type": "arrested"}],
+    ),
+    "2C": Example(
+        {"event": FRONT},  # 28 m/s on average: c_s/35
+        within=[
+            {"event.type": "fast"},
+            {"event.slow.fast_before": C_S / 5.9},
+            {"event.slow.fast_before": C_S / 1.51},
+            {"event.slow.slowest": C_S / 199},
+            {"event.slow.slowest": C_S / 51},
+            {"event.slow.x_to": 0.07 + C_S * 1e-3 / 69},
+            {"event.slow.x_to": 0.07 + C_S * 1e-3 / 17.6},
+        ],
+        beyond=[
+            {"event.type": "arrested"},
+            {"event.slow": None},
+            {"event.slow.fast_before": C_S / 6.1},
+            {"event.slow.fast_before": C_S / 1.49},
+            {"event.slow.slowest": C_S / 201},
+            {"event.slow.slowest": C_S / 49},
+            {"event.slow.x_to": 0.07 + C_S * 1e-3 / 71},
+            {"event.slow.x_to": 0.07 + C_S * 1e-3 / 17.4},
+            {"event.slow.duration": 0.0},
+            {"event.slow.x_from": None},
+        ],
+    ),
+    "3A": Example(
+        {"front_stopped": {"fast_slow_fast": True}},
+        beyond=[{"front_stopped.fast_slow_fast": False}, {"front_stopped": None}],
+    ),
+    "3B": Example(
+        {"front_no_slow_slip": PAIR, "event": {"in_words": {"x_from": 0.07}}},
+        within=[{"front_no_slow_slip.x_arrest": x} for x in (0.0561, 0.0839)],
+        beyond=[{"front_no_slow_slip.x_arrest": x} for x in (0.0559, 0.0841, None)]
+        + [{"event.in_words.x_from": None}, {"front_no_slow_slip": None}],
+    ),
+    "3C": Example(
+        {f"own_slip_{run}": SLIPS for run in ("stopped", "half", "double")},
+        within=[
+            {"own_slip_half.fast_slip": 1.099},
+            {"own_slip_double.fast_slip": 0.91},
+            {"own_slip_stopped.slow_r_squared": 0.95},
+        ],
+        beyond=[
+            {"own_slip_half.fast_slip": 1.101},
+            {"own_slip_double.fast_slip": 0.9},
+            {"own_slip_stopped.slow_r_squared": 0.949},
+            {"own_slip_half.slow_r_squared": 0.949},
+            {"own_slip_double.slow_r_squared": None},
+            {"own_slip_double": None},
+        ],
+    ),
+    "3C-inset": Example(
+        {"slope": {"slope": 1.0, "r_squared": 0.95}},
+        within=[{"slope.slope": 0.75}, {"slope.slope": 1.25}],
+        beyond=[
+            {"slope.slope": 0.749},
+            {"slope.slope": 1.251},
+            {"slope.slope": None},
+            {"slope.r_squared": 0.949},
+        ],
+    ),
+    "3C-neighbours": Example(
+        {"neighbours": {"largest": 1.2}},
+        beyond=[{"neighbours.largest": 1.201}, {"neighbours.largest": None}],
+    ),
+    "3D": Example(
+        {"scaling": SLOPES},
+        beyond=[
+            {"scaling.r_squared_full": 0.949},
+            {"scaling.r_squared_simplified": 0.949},
+            {"scaling.r_squared_simplified": None},
+            {"scaling.difference": 0.201},
+        ],
+    ),
+    "3D-length": Example(
+        {"lengths": {"l_0": 7e-3}},
+        within=[{"lengths.l_0": 5.251e-3}, {"lengths.l_0": 8.749e-3}],
+        beyond=[{"lengths.l_0": l_0} for l_0 in (5.249e-3, 8.751e-3, None)],
+    ),
+    "no-slip-force": Example(
+        {"no_slow": {"widest": 0.049, "arrested": 1, "slow": 0, "fast": 1}},
+        within=[{"no_slow.slow": 3}],  # a band that the grid has met by chance
+        beyond=[{"no_slow.widest": 0.05}, {"no_slow.arrested": 0}, {"no_slow.fast": 0}],
+    ),
+    "4AB": Example(
+        {
+            "front": {"type": "slow"},
+            "front_wider": {"type": "fast"},
+            "phi": {"mean": [1.0, -2.0]},
+            "phi_wider": {"mean": [1.0, -2.0]},
+        },
+        within=[{"phi_wider.mean.1": -2.0 - 1.9e-12}],
+        beyond=[
+            {"front.type": "fast"},
+            {"front_wider.type": "slow"},
+            {"front_wider": None},
+            {"phi_wider.mean.1": -2.0 - 2.1e-12},
+            {"phi_wider.mean.0": 1.0 - 1.1e-12},
+        ],
+    ),
+    "4C": Example(
+        GATHERING,
+        beyond=[
+            {"deviation.largest": 0.0201},
+            {"on_map.p": 0.01},
+            {"on_map.p": None},
+            {"over_events.p": 0.01},
+        ],
+    ),
+    "4D": Example({"order": NUMBERS}, beyond=OUT_OF_ORDER),
+    "4D-edge": Example(
+        {"edge": {"difference": 0.002, "change": 1.0}}, beyond=[{"edge.difference": 0.0021}]
+    ),
+    "5A": Example(
+        {
+            "front": LINE,
+            "front_undriven": {"t_rupture": [0.0, 9.0, 2e-3, 3e-3]},  # 9 s come before the stop
+            "event": {"in_words": {"duration": 0.8e-3}},
+            "amid": 1.5e-3,
+        },
+        within=[{"front_undriven.t_rupture.3": 3.0399e-3}],
+        beyond=[
+            {"front_undriven.t_rupture.3": 3.0401e-3},
+            {"front_undriven.t_rupture.2": 1.9599e-3},
+            {"front_undriven.t_rupture.3": None},
+            {"amid": 0.5e-3},
+        ],
+    ),
+    "5B": Example(
+        {"advance": {"c_s": C_S, "stopped": 2, "driven": 3}, "stretch": {"speed": 0.967}},
+        beyond=[{"stretch.speed": 0.969}, {"advance.stopped": 3}],
+    ),
+    "S1": Example(
+        {"symmetry": {"of_p": 1e-9, "of_tau": 1e-9, "sum_of_p": 1e-9, "over_lever": 1.0}},
+        within=[{"symmetry.over_lever": 0.991}, {"symmetry.over_lever": 1.009}],
+        beyond=[
+            {"symmetry.of_p": 1.1e-9},
+            {"symmetry.of_tau": 1.1e-9},
+            {"symmetry.sum_of_p": 1.1e-9},
+            {"symmetry.over_lever": 0.989},
+            {"symmetry.over_lever": 1.011},
+        ],
+    ),
+    "S2": Example(
+        {
+            "event": SIMPLIFIED,
+            "measured": {"events": [SIMPLIFIED | {"t_start": 5.0, "t_end": 6.0}, SIMPLIFIED]},
+            "front_without": {"type": "arrested", "slow": None},
+        },
+        beyond=[
+            {"measured.events.1.type": "arrested"},
+            {"measured.events.1.slow.fast_before": 99.0},
+            {"measured.events.1.slow.fast_before": None},
+            {"measured.events.1.slow.duration": 0.49e-3},
+            {"measured.events": []},
+            {"front_without.slow": {"speed": 1.0}},
+        ],
+    ),
+    "S3": Example(
+        {"deviation": {"before": 1e-9, "later": 1e-9, "depinned": 1e-9, "p": 1e-9}},
+        beyond=[{f"deviation.{name}": 1.1e-9} for name in ("before", "later", "depinned", "p")],
+    ),
+    "S4": Example(
+        {
+            "phi": {"mean": [1.0, -2.0]},
+            "phi_wider": {"mean": [1.0, -2.0]},
+            "widened": {"p": 0.011},
+        },
+        within=[{"phi_wider.mean.1": -2.0 - 1.9e-12}],
+        beyond=[
+            {"widened.p": 0.01},
+            {"phi_wider.mean.1": -2.0 - 2.1e-12},
+            {"phi_wider.mean.0": 1.0 - 1.1e-12},
+        ],
+    ),
+    "S5": Example(
+        {
+            "deviation": {
+                "falls": True,
+                "uniform_closed": 1e-6,
+                "uniform_quadrature": 1e-6,
+                "bell_quadrature": 1e-6,
+            }
+        },
+        beyond=[
+            {"deviation.falls": False},
+            {"deviation.uniform_closed": 1.1e-6},
+            {"deviation.uniform_quadrature": 1.1e-6},
+            {"deviation.bell_quadrature": 1.1e-6},
+        ],
+    ),
+    "S6A": Example({"event": WORDS}, beyond=[{"event.fast_slow_fast": False}]),
+    "S6B": Example({"order": NUMBERS}, beyond=OUT_OF_ORDER),
+    "SI-slip": Example(
+        {
+            "reference": {
+                "slip_after_two_t_R_over_f_slip_per_k_ij": 8.5,
+                "net_slip_over_f_slip_per_k_ij": 0.0,
+            },
+            "unbreakable": {"net_slip_over_f_slip_per_k_ij": 5.187},
+        },
+        within=[{"reference.slip_after_two_t_R_over_f_slip_per_k_ij": slip} for slip in (8.1, 8.9)],
+        beyond=[
+            *({"reference.slip_after_two_t_R_over_f_slip_per_k_ij": slip} for slip in (8.09, 8.91)),
+            *({"unbreakable.net_slip_over_f_slip_per_k_ij": slip} for slip in (5.186, 5.188)),
+        ],
+    ),
+    "SI-time": Example(
+        {"reference": {"duration_over_t_R": 2.0}},
+        within=[{"reference.duration_over_t_R": 1.6}, {"reference.duration_over_t_R": 2.4}],
+        beyond=[{"reference.duration_over_t_R": 1.59}, {"reference.duration_over_t_R": 2.41}],
+    ),
+    "exponential-event": Example({"event": WORDS}, beyond=[{"event.fast_slow_fast": False}]),
+    "exponential-map": Example(
+        {"counts": {"arrested": 1, "slow": 1, "fast": 1, "out_of_order": 0}},
+        beyond=[
+            {"counts.arrested": 0},
+            {"counts.slow": 0},
+            {"counts.fast": 0},
+            {"counts.out_of_order": 1},
+        ],
+    ),
+    "geometry": Example({"order": NUMBERS}, beyond=OUT_OF_ORDER),
+}
