@@ -5,8 +5,10 @@ import re
 
 from pytest import mark
 
+from chains.check import check_expression, names_of
+from chains.selection import Chains
 from claims import judge
-from claims.cases import Names
+from claims.cases import Names, of_selection
 from claims.conditions import as_number
 from examples import EXAMPLES
 from made_up import Made
@@ -53,6 +55,27 @@ def test_each_claim_with_conditions_has_an_example():
 def test_a_claim_holds_within_its_bounds_and_not_beyond(claim_id):
     example = EXAMPLES[claim_id]
     assert answers(JUDGED[claim_id], example) == expected(example)
+
+
+def texts_of(row, key):
+    """The points that a row names under a key, also in its conventions."""
+    found = [of[key] for of in (row, *row.get("under", {}).values()) if key in of]
+    return [text for of in found for text in (of.values() if isinstance(of, dict) else [of])]
+
+
+@mark.parametrize("claim_id", judge.table())
+def test_names_in_a_row_are_those_of_chains_that_its_recipe_reads(claim_id):
+    row, chains = judge.table()[claim_id], Chains()
+    figure = chains.recipe(row["recipe"])
+    pairs = (chain for key in ("reads", "beside") for chain in chains.read_by(figure, key))
+    read = {chain.name.removeprefix(f"{row['recipe']}/"): chain for chain, _ in pairs}
+    own = {*row.get("with", ()), *row.get("in_picture", ())}
+    for key, quantities in (("shown", row["measured"]), ("each", row["conditions"])):
+        for text in texts_of(row, key):
+            where = of_selection(text)
+            names = own | names_of(chains, read[where["chain"]]) | {where["element"]}
+            for expression in (where["condition"] or "1", *map(row["measured"].get, quantities)):
+                check_expression(expression, names - {None})
 
 
 def faults_in(row):
