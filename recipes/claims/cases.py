@@ -85,18 +85,13 @@ def one_exists(row):
 def of_unit(row, point, way, where):
     """[Names of each case] of a point; None if it is no unit, because there is nothing to compare.
     A point that failed has no case, which counts against the claim."""
-    try:
-        names = Names(row, point, way)
-        if where["element"]:
-            return [
-                Names(row, point, way, {where["element"]: element})
-                for element in names.value(where["list"])
-            ]
-        return [names] if "if" not in row or names.value(row["if"]) else None
-    except Failure:
-        if point.status == "failed":
-            return []
-        raise
+    if point.status == "failed":
+        return []
+    names = Names(row, point, way)
+    if where["element"]:
+        elements = names.value(where["list"])
+        return [Names(row, point, way, {where["element"]: one}) for one in elements]
+    return [names] if "if" not in row or names.value(row["if"]) else None
 
 
 def units(row, chains, way=PRIMARY):

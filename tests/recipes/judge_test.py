@@ -170,8 +170,10 @@ class TestJudge:
     def test_a_point_that_failed_counts_against_the_claim(self):
         failed = Made()
         failed.status = "failed"
-        [share] = judge.shares_of(MADE_UP["one"], {"units": [*runs(5, 0), failed]})
-        assert (share.holds, share.units) == (5, 6)
+        for name, done in (("one", runs(5, 0)), ("state", seeds(5, 0))):
+            row = MADE_UP[name] | {"unit": "run", "ways": False}
+            [share] = judge.shares_of(row, {"units": [*done, failed]})
+            assert (share.holds, share.units) == (5, 6)
 
     def test_where_there_is_nothing_to_compare_there_is_no_unit(self):
         row = MADE_UP["any"] | {"unit": "run"}
