@@ -29,6 +29,8 @@ ROWS: dict[str, dict] = {
     | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
     "state": {"conditions": {"x": {"below": 1}}, "unit": "seed", "each": "units", "ways": True}
     | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
+    "events": {"conditions": {"x": {"below": 1}}, "unit": "event", "each": "units", "if": "known"}
+    | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
     "unstated": {"conditions": {}},
 }
 MADE_UP = {name: ROW | row | {"id": name} for name, row in ROWS.items()}
@@ -56,7 +58,7 @@ def runs(good, bad, **others):
 
 
 def seed(x, **others):
-    return Made(of={"x": x, "under": {way: {"x": of} for way, of in others.items()}})
+    return Made(of={"x": x, "under": {way: {"x": of} for way, of in others.items()}}, known=True)
 
 
 FEW = "(primary); too few runs for a verdict"
@@ -86,7 +88,10 @@ OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
 
 def seeds(held, other):
     """Of five, so many for which it holds, and so many under the other way to measure."""
-    return [seed(LOW if n < held else HIGH, other=LOW if n < other else HIGH) for n in range(5)]
+    return [
+        seed(LOW if n < held else HIGH, other=LOW if n < other else HIGH)
+        for n in range(max(held, 5))
+    ]
 
 
 JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reason ends
@@ -94,7 +99,6 @@ JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reaso
     ("alone", HIGH, [], "differs", "does not hold"),
     ("one", GOOD, [], None, "only the case shown was judged, no other runs"),
     ("one", GOOD, runs(4, 0), None, "only the case shown was judged, no other runs"),
-    ("one", None, [], "not comparable", "it could not be measured"),
     ("unstated", None, [], "not comparable", "gives no number to compare with; ours are reported"),
     *(("one", shown, found, *said) for shown, found, *said in OVER_UNITS),
     ("state", LOW, seeds(3, 3), "reproduced", "holds in all of the 2 ways to measure"),
@@ -104,6 +108,9 @@ JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reaso
     ("two", (HIGH, HIGH), [], "differs", "holds in none of the 2 ways to measure"),
     ("two", (LOW, HIGH), [], "depends", "of the 2 ways to measure, does not hold in other"),
     ("two", (HIGH, LOW), [], "depends", "of the 2 ways to measure, does not hold in primary"),
+    ("events", LOW, seeds(19, 0) + seeds(0, 0)[:1], "reproduced", "19 of 20 events (primary)"),
+    ("events", LOW, seeds(18, 0) + seeds(0, 0)[:2], "depends", "too few events for a verdict"),
+    ("events", None, seeds(5, 0), "not comparable", "it could not be measured"),
     ("any", LOW, seeds(0, 1), "reproduced", "holds in all of the 2 ways to measure"),
     ("any", LOW, seeds(5, 0), "depends", "of the 2 ways to measure, does not hold in other"),
     ("any", None, seeds(1, 1), "not comparable", "it could not be measured"),
@@ -111,10 +118,10 @@ JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reaso
 
 
 def shown_of(x):
-    """The point in the picture; none if it could not be measured."""
+    """The point in the picture; one that cannot be compared if there is no x."""
     if isinstance(x, tuple):
         return [Made(zip(("first", "other"), x))]
-    return [] if x is None else [Made(x=x, x_shown=x, of={"x": x})]
+    return [Made(x=x, x_shown=x, of={"x": x}, known=x is not None)]
 
 
 @mock.patch.object(judge, "table", lambda: MADE_UP)

@@ -110,6 +110,7 @@ class TestSeeds:
             "all": [ARRESTED, mixed, FAST],
             "two": [ARRESTED, FAST, FAST],
             "out of order": [SLOW, ARRESTED, FAST],
+            "out of order too": [FAST, SLOW, ARRESTED],
         }
         maps = {
             name: {(t / 10, 0.0): {1: f} for t, f in enumerate(of)} for name, of in rows.items()
@@ -118,6 +119,7 @@ class TestSeeds:
             (["all"], (3, 0), (2, 0)),
             (["all", "two"], (2, 0), (2, 0)),
             (["all", "out of order"], (3, 1), (2, 1)),
+            (["out of order", "out of order too"], (3, 2), (3, 2)),
         ):
             found = in_each_way({name: maps[name] for name in names})
             assert (found["types"], found["out_of_order"]) == primary
