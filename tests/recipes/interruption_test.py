@@ -145,10 +145,11 @@ def test_points_that_wait_for_reports_are_checked_when_these_are_there(sweep):
     sweep.write("my.ini", FOLLOWS)
     waits = "my: its points follow from what other points report; 2 of these to"
     assert sweep.previewed().startswith(waits)
-    edited = sweep.write("edited", FOLLOWS.replace("restart {base}", "script x.py"))
+    edited = sweep.write("edited", FOLLOWS.replace("-o end.h5", "-o {time}/x"))
     done = sweep.call(*RUN)
     assert done.returncode == 2, done.stderr
-    assert "line 5: there is no program 'script'" in done.stderr
+    assert "-o needs the name of a file in the point's own folder" in done.stderr
+    assert len(sweep.stored(".json")) == 2, "those of runs.ini"
 
     edited.unlink()
     sweep.write("my.ini", FOLLOWS)

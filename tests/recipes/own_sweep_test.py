@@ -93,6 +93,13 @@ def test_the_example_of_points_that_follow_from_points_is_that_of_the_page(folde
         assert text.partition("\n[quantities]")[0].strip() in page
 
 
+def test_commands_of_points_that_are_not_known_yet_are_checked(plan):
+    shutil.copy(ROOT / "docs/examples/run.ini", ".")
+    text = (ROOT / "docs/examples/branches.ini").read_text("utf-8")
+    with pytest.raises(UsageError, match="branches.ini, line .*needs the name of a file"):
+        plan(text.replace("-o before.h5", "-o {start}/x"), "branches")
+
+
 def test_points_follow_the_content_of_the_base_which_is_copied(plan):
     first = plan(BASED).points
     (copy,) = Path("results/data/bases").glob("*.h5")
