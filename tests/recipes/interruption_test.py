@@ -102,7 +102,7 @@ def test_a_signal_ends_all_that_runs_also_in_the_background_of_a_script(sweep, n
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
 def test_the_same_command_goes_on_and_keeps_what_is_finished_of_a_batch(sweep, number, code):
     """Of the two points that each job computes, the second waits."""
-    sweep.replace("recipes/chains/products.py", "MOST_BATCHES = 64", "MOST_BATCHES = 2")
+    sweep.replace("recipes/chains/plan.py", "MOST_BATCHES = 64", "MOST_BATCHES = 2")
     sweep.replace("my.ini", "0.1, 0.2", "0.1\nseed = 1 to 4")
     process = sweep.started()
     second = sweep.call(*RUN)
