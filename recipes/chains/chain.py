@@ -88,7 +88,8 @@ class Chain:
     @property
     def name(self):
         """As recipes call it: fig3/edges."""
-        return str(self.path.relative_to(RECIPES if self.is_ours else self.path.parent))[:-4]
+        folder = RECIPES if self.is_ours else self.path.parent
+        return str(self.path.relative_to(folder).with_suffix(""))
 
     @property
     def keys(self):
