@@ -30,19 +30,19 @@ memory = 400 MB
 
 [commands]
 prepare = prepare --sigma-bar 0.1 {values} -o start.h5 --quiet
-restart = restart start.h5 --for 0.01 -o end.h5 --record record.h5 --record-every 1ms --quiet
+restart = restart start.h5 --for 0.025 -o end.h5 --record record.h5 --record-every 1ms --quiet
 front   = analyze front record.h5 --json
 
 [values]
 tau-bar = 0.1, 0.2, 0.3, 5
-seed    = 1 to 4
+seed    = 1 to 8
 
 [quantities]
 type       = front.type
 slow speed = front.slow.speed
 """
-POINTS = 16
-REFUSED = 4  # no distribution of junction forces carries tau-bar = 5
+POINTS = 32
+REFUSED = 8  # no distribution of junction forces carries tau-bar = 5
 WITHIN = 600  # [s] a run, however slow the machine
 wait_for = functools.partial(stand_ins.wait_for, within=WITHIN)
 
@@ -143,16 +143,16 @@ class Job:
 
 def test_a_sweep_survives_everything(project, local, cluster):
     job = Job(project, cluster)
-    job.wait_for_points(1)
-    cluster.run("scancel", wait_for(job.steps)[0])
     job.wait_for_points(3)
+    cluster.run("scancel", wait_for(job.steps)[0])
+    job.wait_for_points(6)
     job.be_noted()
     for daemon in cluster.processes.values():
         daemon.kill()  # at once, as a power cut would
         daemon.wait()
     time.sleep(3)
     cluster.launch_daemons()
-    job.wait_for_points(5)
+    job.wait_for_points(9)
     job.kill_all()
     cluster.run("scancel", job.number)  # if SLURM has put it into the queue again
     job.wait_for_end()
