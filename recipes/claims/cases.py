@@ -72,11 +72,6 @@ def of_shown(row, chains, way=PRIMARY):
     return found
 
 
-def first_shown(row, chains, way=PRIMARY):
-    """The case in the picture that decides; None if it has not been computed."""
-    return next(iter(of_shown(row, chains, way).values()), None)
-
-
 def one_exists(row):
     """Whether one of the cases of a unit is enough: "there is such an event"."""
     return "each" in row and bool(of_selection(row["each"])["element"])

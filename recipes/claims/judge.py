@@ -91,17 +91,21 @@ def share_of(row, convention, units):
     return Share(convention, sum(held), len(held), *interval(sum(held), len(held)))
 
 
-def measured_units(row, chains, way=PRIMARY):
-    return [
-        [names.case(row["conditions"]) for names in unit] for unit in cases.units(row, chains, way)
-    ]
+def case_of(names):
+    """What its conditions are about."""
+    return names.case(names.row["conditions"])
+
+
+def cases_of_units(row, chains, way=PRIMARY):
+    """[[case, ...] of each unit]"""
+    return [[*map(case_of, unit)] for unit in cases.units(row, chains, way)]
 
 
 def shares_of(row, chains, fewest=1):
     """One per convention, the primary one first; none if there are too few units. `chains`: {name:
     points} (chains/results.py)."""
     found = {
-        name: measured_units(instead, chains, way)
+        name: cases_of_units(instead, chains, way)
         for name, (instead, way) in cases.conventions(row, chains).items()
     }
     if len(found[PRIMARY]) < fewest:
@@ -115,14 +119,15 @@ def held_in_state(row, chains, accepted):
     held = {PRIMARY: accepted}
     for name, (instead, way) in cases.conventions(row, chains).items():
         if name != PRIMARY and "each" in row:
-            held[name] = any(holds(row["id"], of) for of in measured_units(instead, chains, way))
+            held[name] = any(holds(row["id"], of) for of in cases_of_units(instead, chains, way))
         elif name != PRIMARY:
-            held[name] = holds(row["id"], [cases.first_shown(instead, chains, way).case()])
+            first, *_ = cases.of_shown(instead, chains, way).values()
+            held[name] = holds(row["id"], [case_of(first)])
     return held
 
 
 def needed(row):
-    """ "There is such an event" needs less: the paper shows one run."""
+    """Less for "there is such an event": the paper shows one run."""
     return NEEDED_IF_ONE_EXISTS if cases.one_exists(row) else NEEDED
 
 
@@ -181,7 +186,7 @@ def counted(row, chains):
     units = cases.units(row, chains) if row.get("counts") else []
 
     def is_so(names, text):
-        names.given["holds"] = not unmet(row["id"], names.case(row["conditions"]))
+        names.given["holds"] = not unmet(row["id"], case_of(names))
         return names.value(text)
 
     found = {
@@ -196,7 +201,7 @@ def share_of_all(row, chains):
     parts = []
     for what, text in row.get("among", {}).items():
         among = [n for unit in cases.units(row, chains) for n in unit if n.value(text)]
-        held = sum(holds(row["id"], [names.case(row["conditions"])]) for names in among)
+        held = sum(holds(row["id"], [case_of(names)]) for names in among)
         parts += [f"; {held} of {len(among)} {what}"] if among else []
     return "".join(parts)
 
@@ -204,8 +209,8 @@ def share_of_all(row, chains):
 def judged(claim_id, chains):
     """The claim with its verdict. `chains`: {name: points}, those that its recipe reads."""
     row = table()[claim_id]
-    shown = {name: of.case() for name, of in cases.of_shown(row, chains).items()}
-    first = cases.first_shown(row, chains)
+    shown = cases.of_shown(row, chains)
+    first = next(iter(shown.values()), None)
     case = first.case() if first and ("if" not in row or first.value(row["if"])) else None
     accepted = None if case is None else holds(claim_id, [case])
     is_over_units = "unit" in row and "each" in row
@@ -219,8 +224,7 @@ def judged(claim_id, chains):
     measured = {
         f"{name}: {quantity}" if name else quantity: value
         for name, of in shown.items()
-        for quantity, value in of.items()
-        if quantity not in row.get("unseen", ())
+        for quantity, value in of.case().items()
     }
     return Claim(
         id=claim_id,

@@ -1,9 +1,9 @@
 """The strength of blocks, and whether those that a slow front passes have a low sigma_bar, as the
 script of two chains:
 
-    deviation = script strength.py deviation {all strength} {all strength_curves}
-    gathering = script strength.py on_map {seed} {all map} {all map_between} {all map_boundary}
-    gathering = script strength.py over_events {all ../ensemble/continued}
+    deviation   = script strength.py deviation {all strength} {all strength_curves}
+    on_map      = script strength.py on_map {seed} {all map} {all map_between} {all map_boundary}
+    over_events = script strength.py over_events {all ../ensemble/continued}
 
 `deviation`: the largest one of prepared points from the curves. `on_map`: p of a rank test over the
 grid points of Figure 4 D with the fronts of a seed. `over_events`: p over the events, each of which
@@ -108,12 +108,6 @@ def shares_of(events, width=BINS[0]):
 # --- reports -------------------------------------------------------------------------------
 
 
-def by_bins(of_width):
-    """{way: of_width(width of the bins)}; the permutation test has those of the primary way."""
-    found = {name: of_width(width) for name, width in OTHER_BINS.items()}
-    return of_width(BINS[0]), found | {PERMUTATION: of_width(BINS[0])}
-
-
 def on_map(types):
     """Of {grid point: type}. Bins do not act on a map: its tau_bar_0 are few."""
     strata = map_strata(types)
@@ -133,8 +127,9 @@ def over_events(events):
             "median_share": float(np.median(shares)) if shares else None,
         }
 
-    primary, others = by_bins(found)
-    return primary | {"under": others}
+    primary = found(BINS[0])
+    others = {name: found(width) for name, width in OTHER_BINS.items()}
+    return primary | {"under": others | {PERMUTATION: primary}}
 
 
 def largest_deviation(points, lines):

@@ -42,9 +42,3 @@ def type_on_map(kind):
     """The type that `analyze front` names, on prepared interfaces: a front that never left the
     trigger region is arrested there."""
     return "arrested" if kind == "none" else kind
-
-
-def first_in_words(events):
-    """The first that is fast-slow-fast in words; if none is, the first that spans."""
-    spanning = [event for event in events if event["spanning"]]
-    return next((event for event in spanning if event["fast_slow_fast"]), spanning[0])

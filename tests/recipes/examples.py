@@ -39,7 +39,6 @@ WORDS["in_words"] = {
 SLOW: dict = {"x_from": 0.07, "x_to": 0.098, "duration": 1e-3, "slowest": 9.68}
 SLOW["fast_before"] = C_S / 3
 FRONT: dict = {"type": "slow", "c_s": C_S, "L": L, "slow": SLOW}
-NOT_IN_WORDS = [{"front.fast_slow_fast": False}, {"front.fast_slow_fast": None}]
 PAIR = {"x_arrest": 0.07, "L": L}
 SLIPS = {"fast_slip": 1.0, "slow_r_squared": 0.96}
 LINE: dict = {"t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "in_words": {"duration": 1e-3}}

@@ -14,6 +14,8 @@ import quasistatic_stretch
 import slow_slip
 import strength
 import symmetry
+from claims.cases import Names
+from claims.judge import table
 from conftest import approx
 from made_up import Made
 from measure.conventions import PRIMARY
@@ -165,7 +167,10 @@ def test_3C_neighbours_are_alike_up_to_a_fifth(monkeypatch):
     rows += [{"variant": "t_R", "ratio": 1.2}]
     monkeypatch.setattr(slow_slip.slow, "fronts", lambda _: rows)
     monkeypatch.setattr(slow_slip, "largest_ratio", lambda row: row["ratio"])
-    assert slow_slip.neighbours([]) == {"largest": 1.3, "fronts": 3, "alike": 1}
+    found = slow_slip.neighbours([])
+    assert found == {"largest": 1.3, "of_all": [None, 1.3, 1.2]}
+    case = Names(table()["3C-neighbours"], Made(neighbours=found)).case()
+    assert [*case.values()] == [1.3, 3, 1]
 
 
 def test_3D_the_difference_of_the_slopes_is_relative(monkeypatch):

@@ -102,7 +102,7 @@ class TestSlowSlip:
         assert slow_slip.largest_ratio(row) == approx(1.25)
         row["per_block"]["speed"][0] = -1.0
         assert slow_slip.largest_ratio(row) is None
-        assert slow_slip.neighbours([]) == {"largest": None, "fronts": 0, "alike": 0}
+        assert slow_slip.neighbours([]) == {"largest": None, "of_all": []}
 
 
 def front(model, *, factor, mu_d, sigma_bar="0.1"):
