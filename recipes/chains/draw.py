@@ -20,32 +20,20 @@ def say_failed(name, points):
         print(f"  {name}: {count} of {len(points)} points failed: {sentence}")
 
 
-def make(recipe, chains, results):
-    """Draws, and writes tables and claims.json. `chains`: {name: points} (results.py)."""
-    numbers = module_at(f"recipes/{recipe}/figure.py").make(chains, results) or []
-    write_claims(results / "claims.json", judge(recipe, chains), numbers)
-
-
 def main(recipe):
     started, results = time.time(), Path("results", recipe)
-    chains = read_chains(recipe)
+    chains, script = read_chains(recipe), f"recipes/{recipe}/figure.py"
     for name, points in chains.items():
         say_failed(name, points)
-    script = f"recipes/{recipe}/figure.py"
     try:
-        make(recipe, chains, results)
+        numbers = module_at(script).make(chains, results) or []
+        write_claims(results / "claims.json", judge(recipe, chains), numbers)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
-    files = [path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1]
-    points = {one["path"]: None for row in chains.values() for p in row for one in p.lineage[:1]}
-    note(
-        sorted(files),
-        f"{recipe}: draw, and judge the claims",
-        recipe,
-        f"figure.py of {script}",
-        [script, *points],
-        started,
-    )
+    files = sorted(path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1)
+    inputs = [script, *{point.lineage[0]["path"]: None for row in chains.values() for point in row}]
+    described = f"{recipe}: draw, and judge the claims"
+    note(files, described, recipe, f"figure.py of {script}", inputs, started)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ from chains.check import check
 from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
 from chains.points import Waiting, those
 from chains.selection import Chains
-from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_whole, write_if_changed
+from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_current, write_if_changed
 from reproduce.project import SHARE
 from rupture.errors import Failure, UsageError
 from reproduce.written import note
@@ -116,9 +116,7 @@ class Plan:
     def pool(self, needs):
         """Limits how many points of this size run at a time."""
         memory, threads = needs["megabytes"], needs["threads"]
-        most = self.cores // threads
-        if self.megabytes:
-            most = min(most, self.megabytes // memory)
+        most = min(self.cores // threads, (self.megabytes or math.inf) // memory)
         name = f"points_of_{memory}_MB_{threads}"
         self.pools[name] = f"pool {name}\n  depth = {max(1, most)}\n"
         return name
@@ -159,10 +157,9 @@ class Plan:
         outputs = [*(point.path for point in batch), *kept]
         self.written += [SPARE / file.name for file in outputs if len(batch) > 1]
         for point in batch:
-            self.written += [
-                point.path.with_suffix(f".{end}") for end in ("json", "origin", "crash")
-            ]
-            if point.path.exists() and not is_whole(point.path):
+            ends = (".json", ".origin", ".crash")
+            self.written += [point.path.with_suffix(end) for end in ends]
+            if point.path.exists() and not is_current(point.path):
                 point.path.unlink()  # damaged or edited: it is computed again
 
     def add_figure(self, recipe, figure, reads):
@@ -178,7 +175,7 @@ class Plan:
         write_if_changed(code, script + "".join(file.read_text("utf-8") for file in texts))
         listed = figure.sections["figure"]
         keys = ("pictures", "tables", "others")
-        pictures, tables, others = (listed.get(key, "").replace(",", " ").split() for key in keys)
+        pictures, tables, others = (re.findall(r"[^\s,]+", listed.get(key, "")) for key in keys)
         files = [f"{stem}.{end}" for stem in pictures or [recipe] for end in ("png", "pdf")]
         files += [*(f"{table}.csv" for table in tables), *others]
         outputs = [RESULTS / recipe / file for file in ("claims.json", *files)]
@@ -186,11 +183,6 @@ class Plan:
         build = f"build {paths(*outputs)}: figure | {paths(data, code, *points)}\n"
         self.edges[outputs[0]] = f"{build}  recipe = {recipe}\n"
         self.written += outputs
-
-    def add_plan(self, deciding):
-        """What Ninja makes before anything else, and then the plan anew."""
-        if deciding:
-            self.edges[self.file] = f"build {self.file}: plan | {paths(*deciding)}\n"
 
     def write(self):
         self.written += [self.folder / name for name in FILES]
@@ -231,7 +223,9 @@ def write_plan(cores, megabytes, recipes=(), files=(), own=None):
         raise Failure(f"{' '.join(waiting)}: its points depend on what no other point reports")
     for chain in {point.chain: None for point in deciding}:
         plan.add_points([point for point in deciding if point.chain is chain])
-    plan.add_plan([point.path for point in deciding])
+    if deciding:  # Ninja makes these before anything else, and then the plan anew
+        edge = f"build {plan.file}: plan | {paths(*(point.path for point in deciding))}\n"
+        plan.edges[plan.file] = edge
     plan.write()
     return plan.file
 

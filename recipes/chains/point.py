@@ -42,17 +42,11 @@ INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 UNFINISHED = "unfinished"
 RUNS = ("load", "modify-phi", "prepare", "restart")  # programs that write checkpoints
 PROGRAMS = ("analyze", *RUNS)
+# What nobody types: how a command says what it found, and that FILE.sum has a file's checksum.
+SAID = {"analyze": ["--json"], **dict.fromkeys(RUNS, ["--quiet", "--sum"])}
 
 
 # --- one command -------------------------------------------------------------------------------
-
-
-def as_run(command):
-    """The words of a command with what nobody types: how it says what it found, and that FILE.sum
-    is to have the checksum of each file."""
-    tool, *words = shlex.split(command)
-    added = ["--json"] if tool == "analyze" else ["--quiet", "--sum"] if tool in RUNS else []
-    return [tool, *words, *(word for word in added if word not in words)]
 
 
 def run(folder_of_tools, words, folder, files):
@@ -85,12 +79,6 @@ def fault(command, done):
         return {"status": "failed", "sentence": said.splitlines()[-1] if said else command}
     sentence = f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}"
     return {"status": UNFINISHED, "sentence": sentence}
-
-
-def checksums_in(folder):
-    """{file: checksum of its content}, of what the commands have written."""
-    sums = [path.read_text().split() for path in sorted(Path(folder).glob("*.sum"))]
-    return {name: checksum for *_, checksum, name in sums}
 
 
 # --- what names in it mean ---------------------------------------------------------------------
@@ -153,15 +141,6 @@ def fault_of(base):
     return "" if is_it else f"{path} is not in {path.with_name('manifest')} (see README.md there)"
 
 
-def report_of(text, in_several_ways, ways):
-    """What a command says. Beside the first report, those in ways that have names are `under` it;
-    of others there is a list."""
-    said = [json.loads(line) for line in text.splitlines()]
-    if ways:
-        return {**said[0], "under": dict(zip(ways, said[1:], strict=True))}
-    return said if in_several_ways else said[0]
-
-
 def compute(work, folder):
     """The result. What needs a null, or a file of a command that was left out, is left out."""
     reports: dict = {}
@@ -183,7 +162,8 @@ def compute(work, folder):
             reports[name] = None
             continue
         result["commands"][name] = command
-        words = as_run(command)
+        for word in SAID.get(words[0], ()):
+            words += [word] if word not in words else []
         files = {base["shown"]: base["file"]} if base else {}
         files |= {path: path for path in work["lists"]}
         done = run(os.environ["RUPTURE_BIN"], words, folder, files)
@@ -191,12 +171,17 @@ def compute(work, folder):
             result |= fault(command, done)
             break
         if words[0] == "script" or "--json" in words:
-            reports[name] = report_of(done.stdout, "--also" in words, work["ways"].get(name))
+            first, *others = said = [json.loads(line) for line in done.stdout.splitlines()]
+            if ways := work["ways"].get(name):
+                reports[name] = {**first, "under": dict(zip(ways, others, strict=True))}
+            else:
+                reports[name] = said if "--also" in words else first
     absent = [file for file in work["keep"] if not Path(folder, file).exists()]
     absent = [file for file in absent if without_time(file) not in missing]
     if absent and result["status"] == "done":
         result |= {"status": "failed", "sentence": f"no command has written {absent[0]}"}
-    return result | {"checksums": checksums_in(folder)}
+    sums = [path.read_text().split() for path in sorted(Path(folder).glob("*.sum"))]
+    return result | {"checksums": {name: checksum for *_, checksum, name in sums}}
 
 
 def keep(path, result, names, folder):
@@ -245,19 +230,15 @@ def finish(work, about):
     return ""
 
 
-def tried(work, about):
-    """As finish(); a full disk, for instance, is a sentence, too."""
-    try:
-        return finish(work, about)
-    except OSError as error:
-        return f"{error.filename or work['commands']}: {error.strerror}"
-
-
 def main(todo):
     for number in INTERRUPTIONS:  # so that the point's folder is deleted
         signal.signal(number, lambda which, _: sys.exit(128 + which))
-    about = result_of(todo)
-    sentences = [tried(work, about) for work in about["works"]]
+    about, sentences = result_of(todo), []
+    for work in about["works"]:
+        try:
+            sentences.append(finish(work, about))
+        except OSError as error:  # of a full disk, for instance
+            sentences.append(f"{error.filename or work['commands']}: {error.strerror}")
     if any(sentences):
         sys.exit("\n".join(filter(None, sentences)))
 

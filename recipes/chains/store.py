@@ -101,13 +101,10 @@ def put_back():
         spare.unlink() if file.exists() else spare.rename(file)
 
 
-def is_whole(path):
-    """Whether a result is as it was written: nobody has damaged or edited it."""
-    return read(path.with_suffix(".origin")).endswith(f" {digest(read(path))}")
-
-
-def is_current(path, origin):
-    return read(path.with_suffix(".origin")) == f"{origin} {digest(read(path))}"
+def is_current(path, origin=""):
+    """Whether a result is as it was written, and was computed from `origin`."""
+    written = read(path.with_suffix(".origin"))
+    return written.startswith(origin) and written.endswith(f" {digest(read(path))}")
 
 
 def save_origin(path, origin):
