@@ -36,8 +36,6 @@ def check(chains, chain):
         check_base(chains, chain, names)
     check_kept(chain)
     _ = chain.needs
-    if not chain.is_ours:
-        check_stranger(chain, chains.programs)
     if above := chains.above(chain):
         check(chains, above)
 
@@ -83,22 +81,17 @@ def check_command(chains, chain, name, names):
         if hole.startswith(ALL):
             if words[0] != SCRIPT:
                 raise UsageError(f"'{line}': {{{hole}}} is for scripts")
-            check_listed(chains, chain, hole.removeprefix(ALL), names)
-            continue
-        if hole == "base" and "base" not in chain.keys:
+            listed, condition = chains.named(hole.removeprefix(ALL), chain)
+            check(chains, listed)
+            check_expression(condition or "True", names | names_of(chains, listed))
+        elif hole == "base" and "base" not in chain.keys:
             raise UsageError(f"'{line}': {{base}} needs base = FILE in [chain]")
-        if hole not in (*OWN, *names):
+        elif hole not in (*OWN, *names):
             check_expression(hole, names)
     if re.search(r"[{}]", HOLE.sub("", line)):
         raise UsageError(f"'{line}': a brace is missing")
-
-
-def check_listed(chains, chain, text, names):
-    """A chain all of whose points a script gets, and the condition for them."""
-    listed, condition = chains.named(text, chain)
-    check(chains, listed)
-    if condition:
-        check_expression(condition, names | names_of(chains, listed))
+    if not chain.is_ours:  # it runs programs that compute, and writes in its points' folders
+        list(given_in(line, chains.programs))
 
 
 def check_base(chains, chain, names):
@@ -127,10 +120,3 @@ def check_kept(chain):
             name = kept_names(word)[0]
             if name not in words and without_time(name) not in words:
                 raise UsageError(f"no command writes {word}")
-
-
-def check_stranger(chain, programs):
-    """A file that somebody sent runs programs that compute, and writes in its points' folders."""
-    for name, line in chain.commands.items():
-        with chain.errors_at("commands", name):
-            list(given_in(line, programs))

@@ -30,6 +30,8 @@ COMPARISONS = {
     ast.NotEq: operator.ne,
     ast.In: lambda one, several: one in several,
     ast.NotIn: lambda one, several: one not in several,
+    ast.Is: operator.is_,
+    ast.IsNot: operator.is_not,
 }
 FUNCTIONS = {
     "abs": abs,
@@ -45,7 +47,7 @@ FUNCTIONS = {
 }
 ALLOWED = (
     *(ast.Expression, ast.Name, ast.Attribute, ast.Subscript, ast.Tuple, ast.List, ast.BinOp),
-    *(ast.UnaryOp, ast.BoolOp, ast.Compare, ast.And, ast.Or, ast.Is, ast.IsNot, ast.Load),
+    *(ast.UnaryOp, ast.BoolOp, ast.Compare, ast.And, ast.Or, ast.Load),
     *(ast.ListComp, ast.comprehension, ast.Slice, ast.Store),
     *(*ARITHMETIC, *SIGNS, *COMPARISONS),
 )
@@ -240,9 +242,8 @@ def of_known(function, *values):
 
 
 def extreme(which, *values):
-    """Of a list, or of several numbers; null if one of them is."""
-    listed = values[0] if len(values) == 1 else values
-    return None if any(value is None for value in listed) else which(listed)
+    """Of a list, or of several numbers."""
+    return of_known(lambda *numbers: which(numbers), *(values[0] if len(values) == 1 else values))
 
 
 def arithmetic(sign, *values):
@@ -268,10 +269,9 @@ def compared(node, of):
     left, answer = of(node.left), True
     for sign, part in zip(node.ops, node.comparators):
         right = of(part)
-        if isinstance(sign, (ast.Is, ast.IsNot)):
-            answer = (left is right) == isinstance(sign, ast.Is)
-        else:
-            answer = of_known(COMPARISONS[type(sign)], left, right)
+        compare = COMPARISONS[type(sign)]
+        is_of_null = isinstance(sign, (ast.Is, ast.IsNot))
+        answer = compare(left, right) if is_of_null else of_known(compare, left, right)
         if not answer:
             break
         left = right
