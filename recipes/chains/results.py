@@ -12,7 +12,7 @@ from rupture.errors import Failure
 read_result = cache(result_of)  # many points come from the same
 
 
-class Point:
+class Result:
     """`point["tau-bar"]` is a value (a number if it is one), `point["front"]` what a command has
     reported (None if the command was left out); each of this point, or of those that it comes
     from. Raises Failure, with the sentence of the program, for a report of a point that failed."""
@@ -79,7 +79,7 @@ def read_chains(recipe):
     """{chain: its points} for figure.py."""
     text = Path(f"results/data/{recipe}/figure.json").read_text(encoding="utf-8")
     chains = json.loads(text)
-    return {name: [Point(name, row) for row in rows] for name, rows in chains.items()}
+    return {name: [Result(name, row) for row in rows] for name, rows in chains.items()}
 
 
 def read_points(path):
@@ -88,4 +88,4 @@ def read_points(path):
     rows = json.loads(Path(path).read_text(encoding="utf-8"))
     for one in (one for row in rows for one in row):
         one["path"] = str(root / one["path"])
-    return [Point("", row) for row in rows]
+    return [Result("", row) for row in rows]

@@ -28,7 +28,7 @@ def note(results, *paths):
     """Call it before the files are written, so that those of a killed run are known, too."""
     folder = Path(results).resolve()
     have = known.setdefault(folder, written(folder))
-    names = dict.fromkeys(os.path.relpath(path, results) for path in paths)
+    names = dict.fromkeys(str(path).removeprefix(f"{results}/") for path in paths)
     if new := [name for name in names if name not in have]:
         folder.mkdir(parents=True, exist_ok=True)
         with append_to(folder / LIST) as file:
@@ -40,7 +40,7 @@ def refuse_others(results, *paths):
     """Raises Failure if one of these files exists below `results` and is not ours."""
     ours = written(results)
     for path in filter(os.path.lexists, paths):
-        if os.path.relpath(path, results) not in ours or path.is_symlink():
+        if str(path).removeprefix(f"{results}/") not in ours or path.is_symlink():
             raise Failure(
                 f"{path} is not in {results}/{LIST} and is not replaced: move it away, and all of"
                 f" {results} if an earlier version wrote it"

@@ -9,7 +9,7 @@ import front_speed
 import slow_fronts
 import slow_slip
 from chains.chain import Chain
-from chains.results import Point
+from chains.results import Result
 from claims import paper
 from conftest import ROOT, approx
 from slow_fronts import fit_through_origin
@@ -50,7 +50,7 @@ class TestFronts:
                 found = {"status": "done", "sentence": "", "reports": reports, "checksums": {}}
                 path.write_text(json.dumps(found))
             return [
-                Point("", [{"values": {"numerics.seed": str(seed)}, "path": path} | NOTHING_ELSE])
+                Result("", [{"values": {"numerics.seed": str(seed)}, "path": path} | NOTHING_ELSE])
                 for path, (seed, _) in zip(paths, results)
             ]
 
