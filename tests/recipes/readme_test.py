@@ -1,7 +1,5 @@
 """The results in README.md agree with the tables in docs/, and these with what programs compute."""
 
-import csv
-import hashlib
 import json
 import re
 import subprocess
@@ -12,10 +10,9 @@ from report import readme
 from claims.claim import Claim, Number, Share
 from claims.judge import table
 from conftest import ROOT, run
+from measure.event_numbers import crossing_time
 from measure.tables import read_rows
 from fixture import spill
-
-EVENTS = (ROOT / readme.FRONTS).read_text(encoding="utf-8")
 
 
 def test_its_sentences_are_those_of_the_table_of_verdicts():
@@ -36,27 +33,34 @@ def test_in_words_mostly_yes_and_its_numbers_hold_for_some_events():
     assert 0 < runs < of / 2
 
 
-def test_its_picture_is_drawn_from_the_table_of_events():
-    source = hashlib.sha256(EVENTS.encode()).hexdigest()
-    assert source.encode() in (ROOT / readme.PICTURE).read_bytes()
-
-
-@pytest.mark.parametrize("event", ["fast-slow-fast", "fast-only"])
-def test_events_are_those_that_the_programs_compute(event, folder):
-    start = ROOT / f"checkpoints/{event}.h5"
-    recorded = ("--record", "r.h5", "--record-every", "1e-5", "--quiet")
-    run("restart", start, "-o", "end.h5", "--for", "0.01", *recorded)
-    (folder / "front.json").write_text(run("analyze", "front", "r.h5", "--json").stdout)
-    rows = readme.front_rows(event, readme.report("front.json"))
-    expected = [["" if cell is None else str(cell) for cell in row] for row in rows]
-    assert [row for row in csv.reader(EVENTS.splitlines()) if row[0] == event] == expected
+@pytest.mark.parametrize(
+    "event, quantity, of",
+    [
+        ("fast-slow-fast", "time from 0.4 L to 0.6 L [ms]", crossing_time),
+        (
+            "fast-only",
+            "speed of events that are fast everywhere [c_s]",
+            lambda f: f["speed"] / f["c_s"],
+        ),
+    ],
+)
+def test_numbers_of_shown_events_are_those_that_the_programs_compute(event, quantity, of, folder):
+    start, recorded = ROOT / f"checkpoints/{event}.h5", (
+        "--record",
+        "r.h5",
+        "--record-every",
+        "1e-5",
+    )
+    run("restart", start, "-o", "end.h5", "--for", "0.01", *recorded, "--quiet")
+    front = json.loads(run("analyze", "front", "r.h5", "--json").stdout)
+    [row] = [row for row in read_rows(ROOT / readme.NUMBERS) if row["quantity"] == quantity]
+    assert readme.short(of(front), 6) == float(row["shown"])
 
 
 VERDICTS = (
     "id,kind,fixed,verdict,holds,units,version,numbers\n"
     "1D,finding,today,depends,1,2,0,{}\nchoices,,,,,,0,{}\n"
 )
-FRONT = {"x": [0, 0.07], "L": 0.14, "c_s": 968, "t_rupture": [1.0, None], "v_c": [9.68, None]}
 
 
 def update(root, verdict="reproduced"):
@@ -73,13 +77,10 @@ def update(root, verdict="reproduced"):
 @pytest.fixture(name="clone")
 def made_up_clone(tmp_path):
     spill(tmp_path / readme.TABLE, VERDICTS)
-    for name in (readme.FRONTS, readme.NUMBERS, readme.PICTURE):
+    for name in (readme.NUMBERS, readme.PICTURE):
         spill(tmp_path / name, "old")
     spill(tmp_path / readme.FIRST, (ROOT / readme.FIRST).read_bytes())
-    points = [[{"values": {"name": name}, "path": "results/point.json"}] for name in readme.EVENTS]
-    chains = {"event": points[:2], "most_like": [[{"values": {}, "path": "results/point.json"}]]}
-    spill(tmp_path / "results/data/fig2/figure.json", json.dumps(chains))
-    spill(tmp_path / "results/point.json", json.dumps({"reports": {"front": FRONT}}))
+    spill(tmp_path / "results/fig2/fig2.png", "Figure 2")
     spill(tmp_path / readme.README, "above\n<!-- results -->\nold\n<!-- /results -->\nbelow\n")
     return tmp_path
 
@@ -97,7 +98,14 @@ def test_a_report_of_all_results_writes_them(clone):
         '2A,finding,"later, after results",reproduced,19,20,0.5.0,{}',
         "choices,,,,,,0,{}",
     ]  # `all` leaves that out
-    assert "most-like,v_c/c_s,0.01,\n" in (clone / readme.FRONTS).read_text()
+    assert (clone / readme.PICTURE).read_text() == "Figure 2"
+
+
+def test_its_picture_is_left_if_the_numbers_are_the_same(clone):
+    update(clone)
+    spill(clone / "results/fig2/fig2.png", "another version of Matplotlib")
+    update(clone)
+    assert (clone / readme.PICTURE).read_text() == "Figure 2"
 
 
 def test_one_of_some_results_or_behind_a_link_does_not(clone):
