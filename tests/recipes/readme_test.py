@@ -33,25 +33,20 @@ def test_in_words_mostly_yes_and_its_numbers_hold_for_some_events():
     assert 0 < runs < of / 2
 
 
-@pytest.mark.parametrize(
-    "event, quantity, of",
-    [
-        ("fast-slow-fast", "time from 0.4 L to 0.6 L [ms]", crossing_time),
-        (
-            "fast-only",
-            "speed of events that are fast everywhere [c_s]",
-            lambda f: f["speed"] / f["c_s"],
-        ),
-    ],
-)
-def test_numbers_of_shown_events_are_those_that_the_programs_compute(event, quantity, of, folder):
-    start, recorded = ROOT / f"checkpoints/{event}.h5", (
-        "--record",
-        "r.h5",
-        "--record-every",
-        "1e-5",
-    )
-    run("restart", start, "-o", "end.h5", "--for", "0.01", *recorded, "--quiet")
+SHOWN = {
+    "fast-slow-fast": ("time from 0.4 L to 0.6 L [ms]", crossing_time),
+    "fast-only": (
+        "speed of events that are fast everywhere [c_s]",
+        lambda f: f["speed"] / f["c_s"],
+    ),
+}
+
+
+@pytest.mark.parametrize("event", SHOWN)
+def test_numbers_of_shown_events_are_those_that_the_programs_compute(event, folder):
+    quantity, of = SHOWN[event]
+    recorded = ("--record", "r.h5", "--record-every", "1e-5", "--quiet")
+    run("restart", ROOT / f"checkpoints/{event}.h5", "-o", "end.h5", "--for", "0.01", *recorded)
     front = json.loads(run("analyze", "front", "r.h5", "--json").stdout)
     [row] = [row for row in read_rows(ROOT / readme.NUMBERS) if row["quantity"] == quantity]
     assert readme.short(of(front), 6) == float(row["shown"])
