@@ -1,0 +1,68 @@
+"""Three runs of the ensemble (seeds 201 to 203, the first ones): which of their events meet which
+claim, read by eye off the rupture lines, and what claims.toml makes of their reports.
+
+data/runs.json has the reports of `analyze` without those under other conventions: of the events of
+the run, of each fast-slow-fast one computed again, and of its branches at 0.14 L (block 8).
+"""
+
+import json
+
+from pytest import fixture, mark
+
+from claims import cases, judge
+from conftest import ROOT
+from made_up import Made
+
+RUNS = json.loads((ROOT / "tests/recipes/data/runs.json").read_text(encoding="utf-8"))
+# Start [s] of the events that meet the claim. c_s/v of a stencil of five blocks was printed along
+# the interface and read: fast up to 10 or 20, slow beyond; < where it runs backwards.
+BY_EYE = {
+    "2A": ["0.6877 0.7628 0.8456 1.0041 1.0839 1.1616", "0.4202 0.6350 0.7944 0.9534 1.1113 1.1908"]
+    + ["0.6418 0.7978 0.9530 1.0310 1.1876"],
+    "2B": ["0.9256", "0.7153 0.8760 1.0329", "0.8775 1.1108"],
+    # 0.6877, 0.6350, 0.6418: slower than c_s/70 on average; 0.4202: no duration; 0.8456, 1.1616,
+    # 1.1113, 1.1876: slower than c_s/6 before
+    "2C": ["0.7628 1.0041", "0.7944 0.9534", "0.7978 0.9530"],
+    # 0.7628: only the last blocks rupture; 1.1113: slower than c_s/10 before
+    "3A": ["0.6877 0.8456 1.0041 1.0839 1.1616", "0.4202 0.6350 0.7944 0.9534 1.1908"]
+    + ["0.6418 0.7978 0.9530 1.0310 1.1876"],
+    # arrest at block 19, 35, 36; 28, 31, 28; 19, 29, 26; the stretch begins at 17, 33, 40; 28, 31,
+    # 25; 16, 32, 24. 1.1908: 35 and 41, 0.107 L; 0.4202: 34 and 19; 1.1616: 10 and 25; 1.1876: 15
+    # and 23, 0.143 L. In 0.8456 and 1.1113 nothing ruptures any more.
+    "3B": ["0.6877 1.0041 1.0839", "0.6350 0.7944 0.9534", "0.6418 0.7978 0.9530"],
+    # 0.6877, 0.6418, 1.1113: slower than c_s/20 somewhere; 0.7628 does not span
+    "4AB": ["0.8456 1.0041 1.0839 1.1616", "0.4202 0.6350 0.7944 0.9534 1.1908"]
+    + ["0.7978 0.9530 1.0310 1.1876"],
+}
+COUNTED = {"2A": ["3 of 3"], "2C": ["0 of 3"], "3B": ["15 of 17"]}  # what the rows count beside
+
+
+@fixture(name="chains", scope="module")
+def points():
+    events, branches = [], []
+    for run in RUNS.values():
+        events.append(Made(variant="reference", measured={"events": run["events"]}))
+        for whole, branch in zip(run["continued"], run["branches"]):
+            [event] = [one for one in run["events"] if one["t_start"] == whole["t_start"]]
+            branches.append(Made(whole | branch, event=event, block=8))
+    return {"ensemble/events": events, "ensemble/branches": branches}
+
+
+@mark.parametrize("claim_id", BY_EYE)
+def test_the_events_of_three_runs_that_meet_a_claim_are_those_counted_by_eye(claim_id, chains):
+    row = judge.table()[claim_id]
+    units = cases.units(row, chains)
+    met = [n for unit in units for n in unit if judge.holds(claim_id, [judge.case_of(n)])]
+    read = " ".join(BY_EYE[claim_id]).split()
+    assert [f"{names.value('event.t_start'):.4f}" for names in met] == read
+    assert [*judge.counted(row, chains).values()] == COUNTED.get(claim_id, [])
+
+
+def test_each_share_of_these_runs_is_what_the_table_counts(chains):
+    shares = {name: judge.shares_of(judge.table()[name], chains)[0] for name in BY_EYE}
+    units = {"2A": 3, "2B": 3, "2C": 3}  # runs; the others: events
+    for name, share in shares.items():
+        held = (
+            sum(map(bool, BY_EYE[name])) if name in units else len(" ".join(BY_EYE[name]).split())
+        )
+        assert (share.holds, share.units) == (held, units.get(name, 17))
