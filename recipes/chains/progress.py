@@ -37,18 +37,20 @@ def complain(text):
 def follow(lines):
     """Returns whether Ninja did anything."""
     start, did, described = time.monotonic(), False, ""
-    planned = 0.0  # when the numbers that Ninja gives began [s]
+    seconds = began = 0.0  # when the numbers that Ninja gives began [s]
+    last = 0  # of these numbers; after what decides about other points, they begin anew
     said: deque[str] = deque(maxlen=LAST_LINES)  # of a program that failed
     for line in lines:
         if step := STEP.fullmatch(line):
             complain_all(said)
             count, total, described = step.groups()
-            did, seconds = True, time.monotonic() - start
+            if int(count) <= last:
+                began = seconds
+            did, last, seconds = True, int(count), time.monotonic() - start
             if described.startswith("plan "):
-                planned = seconds
                 continue
             log(described)
-            rest = rest_of(seconds - planned, int(count), int(total))
+            rest = rest_of(seconds - began, last, int(total))
             show(f"[{seconds:4.0f} s{rest}] {count:>{len(total)}}/{total} {described}")
         elif failed := FAILED.match(line):
             complain(f"\nFailed: {described}\n  to make: {failed[1]}")

@@ -248,7 +248,7 @@ sh -c 'a'
 first
 {many}
 last
-[3/4] b
+[1/2] b
   1 of 2 points failed
 ninja: error: no
 ninja: build stopped: subcommand failed.
@@ -262,7 +262,7 @@ def test_what_ninja_says_is_said_in_our_words(capsys, folder):
     said = capsys.readouterr()
     assert said.out.splitlines() == [
         "[   5 s] 1/4 a: x 1",
-        "[  30 s, about 6 s left] 3/4 b",
+        "[  30 s, about 18 s left] 1/2 b",
         "    1 of 2 points failed",
     ]
     failed, making, *more, last, error = said.err.strip().splitlines()
