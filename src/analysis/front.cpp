@@ -13,74 +13,66 @@ namespace {
 /// How many stencils of what the paper calls slow make a stretch.
 constexpr std::size_t kStencilsInWords = 3;
 
+/// When the front is at each block if it starts at block `from`.
+FirstRuptures times_from(const FirstRuptures& t_rupture, std::size_t from) {
+  FirstRuptures times(t_rupture.size());
+  double latest = *t_rupture[from];
+  const auto reach = [&](std::size_t i) {
+    if (t_rupture[i]) times[i] = latest = std::max(latest, *t_rupture[i]);
+  };
+  for (std::size_t i = from; i < times.size(); ++i) reach(i);
+  latest = *t_rupture[from];
+  for (std::size_t i = from; i-- > 0;) reach(i);
+  return times;
+}
+
+/// Blocks from `first` on that ruptured before the front was there.
+std::size_t count_ahead(const FirstRuptures& t_rupture, const FirstRuptures& times,
+                        std::size_t first) {
+  std::size_t ahead = 0;
+  for (std::size_t i = first; i < times.size(); ++i) ahead += t_rupture[i] < times[i] ? 1 : 0;
+  return ahead;
+}
+
 /// Those of the stencils that run forwards.
-std::vector<double> speeds(const std::vector<std::optional<double>>& v_c, std::size_t from,
-                           std::size_t to) {
+std::vector<double> speeds(const Front& front, std::size_t from, std::size_t to) {
   std::vector<double> values;
   for (std::size_t i = from; i < to; ++i) {
-    if (v_c[i] && *v_c[i] > 0.0) values.push_back(*v_c[i]);
+    if (front.v_c[i].value_or(0.0) > 0.0) values.push_back(*front.v_c[i]);
   }
   return values;
 }
 
-/// Blocks first..last (inclusive), centres of stencils.
-struct Stretch {
-  std::size_t first, last;
-};
-
-/// Whether the stencil around block i measures a front that moves on, beyond the loading zone.
-bool moves_on(const Front& front, std::size_t i) {
-  const auto& v = front.v_c[i];
-  return front.line.x[i] > front.criteria.skip_below_x && v && *v > 0.0;
+/// The centre of a stencil beyond the loading zone that is slow and runs forwards.
+bool is_slow(const Front& front, std::size_t i, double limit) {
+  const double v = front.v_c[i].value_or(0.0);
+  return front.line.x[i] > front.criteria.skip_below_x && v > 0.0 && v < limit;
 }
 
-/// Whether block i + 1 ruptured after block i; both did.
-bool in_order(const Front& front, std::size_t i) {
-  return *front.line.t_rupture[i + 1] >= *front.line.t_rupture[i];
+/// Centres of slow stencils, in order.
+using Stretch = std::vector<std::size_t>;
+
+/// Whether a stretch up to block `last` goes on to the slow stencil at block i: none between them
+/// has a speed, and the front is at one block after the other.
+bool goes_on(const Front& front, std::size_t last, std::size_t i) {
+  std::size_t before = last;
+  for (std::size_t next = last + 1; next <= i; ++next) {
+    if (next < i && front.v_c[next]) return false;
+    if (!front.t_front[next]) continue;
+    if (*front.t_front[next] < *front.t_front[before]) return false;
+    before = next;
+  }
+  return true;
 }
 
-/// Maximal runs of slow stencils whose blocks rupture one after the other.
 std::vector<Stretch> slow_stretches(const Front& front, double limit) {
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    if (!moves_on(front, i) || *front.v_c[i] >= limit) continue;
-    const bool next = !stretches.empty() && stretches.back().last + 1 == i;
-    if (next && in_order(front, i - 1)) {
-      stretches.back().last = i;
-    } else {
-      stretches.push_back({i, i});
-    }
+    if (!is_slow(front, i, limit)) continue;
+    if (stretches.empty() || !goes_on(front, stretches.back().back(), i)) stretches.push_back({});
+    stretches.back().push_back(i);
   }
   return stretches;
-}
-
-/// The stretch with up to n more blocks on either side.
-Stretch widened(const Front& front, Stretch stretch, std::size_t n) {
-  const Stretch limits = {stretch.first - n, stretch.last + n};
-  while (stretch.first > limits.first && moves_on(front, stretch.first - 1) &&
-         in_order(front, stretch.first - 1)) {
-    --stretch.first;
-  }
-  while (stretch.last < limits.last && moves_on(front, stretch.last + 1) &&
-         in_order(front, stretch.last)) {
-    ++stretch.last;
-  }
-  return stretch;
-}
-
-/// The centres that belong to the slow stretch around a run of slow stencils; none if it is shorter
-/// than a stencil and those that touch its surroundings do not count.
-std::optional<Stretch> counted(const Front& front, const Stretch& run, StencilsAtEnds ends) {
-  const std::size_t h = front.criteria.half_stencil();
-  if (ends == StencilsAtEnds::slow) return widened(front, run, h);
-  if (run.last - run.first < 2 * h) return std::nullopt;
-  return Stretch{run.first + h, run.last - h};
-}
-
-/// The centres between which no stencil belongs to the fast sides.
-Stretch not_fast(const Stretch& run, std::size_t h, StencilsAtEnds ends) {
-  if (ends == StencilsAtEnds::fast) return {run.first + h, run.last - h};
-  return {run.first - h, run.last + h};
 }
 
 /// The first block that is not in the loading zone.
@@ -90,32 +82,30 @@ std::size_t first_beyond(const Front& front) {
                                   x.begin());
 }
 
-std::optional<SlowStretch> describe(const Front& front, const Stretch& run, StencilsAtEnds ends) {
-  const auto stretch = counted(front, run, ends);
-  if (!stretch) return std::nullopt;
-  const auto& x = front.line.x;
-  const Stretch between = not_fast(run, front.criteria.half_stencil(), ends);
-  const auto v_c = speeds(front.v_c, stretch->first, stretch->last + 1);
+SlowStretch describe(const Front& front, const Stretch& stretch) {
+  const std::size_t h = front.criteria.half_stencil();
+  const std::size_t first = stretch.front(), last = stretch.back();
+  std::vector<double> v_c;
+  for (const std::size_t i : stretch) v_c.push_back(*front.v_c[i]);
   SlowStretch slow;
-  slow.x_from = x[stretch->first];
-  slow.x_to = x[stretch->last];
-  slow.t_from = *front.line.t_rupture[stretch->first];
-  slow.t_to = *front.line.t_rupture[stretch->last];
-  slow.t_last_stencil = *front.line.t_rupture[run.last];
+  slow.x_from = front.line.x[first];
+  slow.x_to = front.line.x[last];
+  slow.t_from = *front.t_front[first];
+  slow.t_to = *front.t_front[last];
   slow.speed = *median(v_c);
-  slow.stencils = run.last - run.first + 1;
+  slow.stencils = stretch.size();
   slow.slowest = std::ranges::min(v_c);
-  slow.fast_before = median(speeds(front.v_c, first_beyond(front), between.first));
-  slow.fast_after = median(speeds(front.v_c, between.last + 1, front.v_c.size()));
+  slow.fast_before = median(speeds(front, first_beyond(front), first - h));
+  slow.fast_after = median(speeds(front, last + h + 1, front.v_c.size()));
   return slow;
 }
 
-/// The slow stretch that lasted longest; none if no block belongs to any.
-std::optional<SlowStretch> longest(const Front& front, double limit, StencilsAtEnds ends) {
+/// The slow stretch that lasted longest.
+std::optional<SlowStretch> longest(const Front& front, double limit) {
   std::optional<SlowStretch> longest;
-  for (const Stretch& run : slow_stretches(front, limit)) {
-    const auto slow = describe(front, run, ends);
-    if (slow && (!longest || slow->duration() > longest->duration())) longest = slow;
+  for (const Stretch& stretch : slow_stretches(front, limit)) {
+    const auto slow = describe(front, stretch);
+    if (!longest || slow.duration() > longest->duration()) longest = slow;
   }
   return longest;
 }
@@ -182,15 +172,29 @@ RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures,
   return line;
 }
 
-std::vector<std::optional<double>> front_speed(const RuptureLine& line,
+FirstRuptures front_times(const FirstRuptures& t_rupture) {
+  FirstRuptures best(t_rupture.size());
+  std::size_t fewest = t_rupture.size();
+  for (std::size_t from = 0; from < t_rupture.size(); ++from) {
+    if (!t_rupture[from]) continue;
+    FirstRuptures times = times_from(t_rupture, from);
+    const std::size_t ahead = count_ahead(t_rupture, times, 0);
+    if (ahead >= fewest) continue;
+    fewest = ahead;
+    best = std::move(times);
+  }
+  return best;
+}
+
+std::vector<std::optional<double>> front_speed(const std::vector<double>& x,
+                                               const FirstRuptures& times,
                                                const FrontCriteria& criteria) {
   const std::size_t h = criteria.half_stencil();
-  std::vector<std::optional<double>> v_c(line.x.size());
-  for (std::size_t i = h; i + h < line.x.size(); ++i) {
-    const auto& before = line.t_rupture[i - h];
-    const auto& after = line.t_rupture[i + h];
-    if (!line.t_rupture[i] || !before || !after || *before == *after) continue;
-    v_c[i] = (line.x[i + h] - line.x[i - h]) / (*after - *before);
+  std::vector<std::optional<double>> v_c(x.size());
+  for (std::size_t i = h; i + h < x.size(); ++i) {
+    const auto &before = times[i - h], &after = times[i + h];
+    if (!times[i] || !before || !after || *before == *after) continue;
+    v_c[i] = (x[i + h] - x[i - h]) / (*after - *before);
   }
   return v_c;
 }
@@ -213,19 +217,22 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
   Front front;
   front.criteria = criteria;
   front.line = std::move(line);
-  front.v_c = front_speed(front.line, criteria);
+  const FirstRuptures& ruptured = front.line.t_rupture;
+  front.t_front = criteria.line == Line::raw ? ruptured : front_times(ruptured);
+  front.v_c = front_speed(front.line.x, front.t_front, criteria);
   for (std::size_t i = 0; i < front.line.x.size(); ++i) {
-    if (front.line.t_rupture[i]) front.x_arrest = front.line.x[i];
+    if (ruptured[i]) front.x_arrest = front.line.x[i];
   }
+  front.ahead = count_ahead(ruptured, front.t_front, first_beyond(front));
   front.reached_edge = front.line.t_rupture.back().has_value();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   front.backward_stencils = stencils_between(-kInfinity, 0.0, front);
-  front.speed = median(speeds(front.v_c, first_beyond(front), front.v_c.size()));
+  front.speed = median(speeds(front, first_beyond(front), front.v_c.size()));
   const double c_s = shear_wave_speed(p), limit = criteria.slow_below * c_s;
-  front.slow = longest(front, limit, criteria.stencils_at_ends);
-  front.in_words = longest(front, kSlowInWords * c_s, StencilsAtEnds::slow);
+  front.slow = longest(front, limit);
+  front.in_words = longest(front, kSlowInWords * c_s);
   if (front.x_arrest) front.type = FrontType::arrested;
-  if (!spans(p, front.line.t_rupture, criteria.skip_below_x)) return front;
+  if (!spans(p, ruptured, criteria.skip_below_x)) return front;
   front.x_arrest.reset();
   const bool is_slow = stencils_between(-limit, limit, front) > 0;
   front.type = is_slow ? FrontType::slow : FrontType::fast;

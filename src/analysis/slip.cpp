@@ -79,8 +79,7 @@ std::optional<SlowSlipTime> slow_slip_time(const Parameters& p, const Front& fro
   const double t_R = mean_slipping_time(p);
   SlowSlipTime time{};
   time.from = std::max(*t_rupture, front.slow->t_from) + p.H / shear_wave_speed(p);
-  const double end = criteria.to_last_stencil ? front.slow->t_last_stencil : front.slow->t_to;
-  time.to = std::min(end, time.from + criteria.longest * t_R);
+  time.to = std::min(front.slow->t_to, time.from + criteria.longest * t_R);
   if (time.to - time.from < criteria.shortest * t_R) return std::nullopt;
   return time;
 }

@@ -9,16 +9,16 @@
 
 namespace rupture {
 
-/// Whether the stencils that touch both the slow stretch and its surroundings belong to neither, to
-/// the slow stretch, or to its fast surroundings.
-enum class StencilsAtEnds { neither, slow, fast };
+/// Which times the front's speed is taken from: when the contiguous ruptured region reaches each
+/// block, or when each block ruptures, even if alone.
+enum class Line { contiguous, raw };
 
 /// Choices behind a front's type, speeds and places; the tools show them as options.
 struct FrontCriteria {
   double slow_below = 1.0 / 20.0;      ///< a front is slow where |v_c| < slow_below * c_s
   double skip_below_x = kLoadingZone;  ///< the loading or triggering zone does not count [m]
   std::size_t stencil = 5;             ///< blocks of the moving stencil, odd
-  StencilsAtEnds stencils_at_ends = StencilsAtEnds::neither;
+  Line line = Line::contiguous;
   double ruptured_below = kRupturedFraction;  ///< pinned fraction by which ruptures were chosen
 
   std::size_t half_stencil() const { return stencil / 2; }  ///< blocks on either side of its centre
@@ -37,11 +37,23 @@ struct RuptureLine {
 RuptureLine rupture_line(const Parameters& parameters, std::span<const Rupture> ruptures,
                          double from, double to);
 
+/// When the contiguous ruptured region reaches each block [s]. Its edge is the front. From the
+/// block s where it starts, the region grows to both sides:
+///
+///   t_front(i) = max of t_rupture(j) over the blocks j from s to i that ruptured.
+///
+/// A block that ruptures alone ahead of the front joins when the front gets there. The front starts
+/// at the block for which fewest blocks rupture ahead of it, the first of several: in the loading
+/// zone, unless the event begins elsewhere. Blocks that did not rupture are passed over, and have
+/// no time.
+FirstRuptures front_times(const FirstRuptures& t_rupture);
+
 /// Front speed at each block, the inverse slope between the end points of the stencil around it
-/// [m/s]. No value where the stencil reaches beyond an edge, where a block did not rupture, and
-/// where the stencil's ends ruptured in the same step. Negative where the front runs towards the
-/// driven edge.
-std::vector<std::optional<double>> front_speed(const RuptureLine& line,
+/// [m/s]; `times`: when the front is at each block. No value where the stencil reaches beyond an
+/// edge, where a block did not rupture, and where the front is at both ends at the same time: there
+/// it jumps over blocks that had ruptured before. Negative where it runs towards the driven edge.
+std::vector<std::optional<double>> front_speed(const std::vector<double>& x,
+                                               const FirstRuptures& times,
                                                const FrontCriteria& criteria);
 
 enum class FrontType { none, arrested, slow, fast };
@@ -50,49 +62,46 @@ std::string_view front_type_name(FrontType type);
 /// Whether an event with a front of this type spans.
 bool spans(FrontType type);
 
-/// A stretch of consecutive blocks over which the front is slow and runs forwards.
+/// A stretch over which the front is slow and runs forwards: from the centre of the first slow
+/// stencil to that of the last one. It goes on over stencils without a value, where the front jumps
+/// or a block did not rupture.
 ///
-/// The centres of slow stencils form a run first..last. With h = half_stencil(), centres up to h
-/// blocks from its first or last one, on either side, have stencils that touch both the slow
-/// stretch and its surroundings. StencilsAtEnds says where they belong, for places, times and
-/// speeds alike:
+///   blocks        0  1  2  3  4  5  6  7  8  9 10 11
+///   v_c                 f  f  f  s  s  -  s  f  f  f      stencil of 5: from block 2 to block 9
+///   slow stretch              |--------|                  first = 5, last = 8
+///   before           ..f                      f..         up to first - 3, after: from last + 3
 ///
-///              fast before       slow                    fast after
-///   neither    .. first-h-1      first+h .. last-h       last+h+1 ..
-///   slow       .. first-h-1      first-h .. last+h       last+h+1 ..
-///   fast       .. first+h-1      first+h .. last-h       last-h+1 ..
-///
-/// The stretch grows only over stencils that exist, beyond the loading zone, and only while the
-/// blocks rupture one after the other.
+/// The stencils within half a stencil of its ends have blocks in the stretch, and count to neither
+/// the speed before nor that after it.
 struct SlowStretch {
   double x_from = 0, x_to = 0;  ///< first and last block of the stretch [m]
-  double t_from = 0, t_to = 0;  ///< when these two ruptured [s]
-  double t_last_stencil = 0;    ///< when the centre of the last slow stencil ruptured [s]
-  double speed = 0;             ///< median of v_c over the stretch [m/s]
-  double slowest = 0;           ///< smallest v_c in it [m/s]
-  std::size_t stencils = 0;     ///< of the run of slow stencils, wherever those at its ends count
+  double t_from = 0, t_to = 0;  ///< when the front is at these two [s]
+  double speed = 0;             ///< median of v_c over the slow stencils [m/s]
+  double slowest = 0;           ///< smallest v_c of them [m/s]
+  std::size_t stencils = 0;     ///< how many of them
 
   double duration() const { return t_to - t_from; }  ///< [s]
   /// Length over duration [m/s]; no value for a single block.
   std::optional<double> mean() const;
 
-  /// Medians of v_c over the stencils that belong to the fast sides, lie beyond the loading zone
-  /// and run forwards.
+  /// Medians of v_c over the stencils before and after it, beyond the loading zone, that run
+  /// forwards.
   std::optional<double> fast_before, fast_after;  ///< [m/s]
 };
 
 struct Front {
   RuptureLine line;
+  FirstRuptures t_front;  ///< when the front is at each block [s]; t_rupture with Line::raw
   std::vector<std::optional<double>> v_c;
+  std::size_t ahead = 0;  ///< blocks beyond the loading zone that ruptured before it was there
   FrontType type = FrontType::none;
   bool reached_edge = false;          ///< whether the leading edge ruptured, even alone
   bool fast_slow_fast = false;        ///< in the paper's words, see measure_front()
   std::size_t backward_stencils = 0;  ///< beyond the loading zone, where v_c < 0
   std::optional<double> x_arrest;     ///< furthest ruptured block if the front did not span: of an
                                       ///< arrested one that reached the leading edge, that [m]
-  std::optional<SlowStretch> slow;  ///< the slow stretch that lasted longest; none also where slow
-                                    ///< stencils exist but no block belongs to any stretch
-  std::optional<SlowStretch> in_words;  ///< the same below c_s/10, with the stencils at its ends
+  std::optional<SlowStretch> slow;    ///< the slow stretch that lasted longest
+  std::optional<SlowStretch> in_words;  ///< the same below c_s/10
   std::optional<double> speed;          ///< median where it runs forwards beyond skip_below_x [m/s]
   FrontCriteria criteria;               ///< by which it was measured
 };
@@ -102,9 +111,7 @@ struct Front {
 ///
 /// Fast-slow-fast, whatever slow_below is: the event spans; of the stretches with 0 < v_c < c_s/10
 /// the one that lasted longest, in_words, has three stencils or more; and the medians of v_c before
-/// and after it are at least c_s/10, without the stencils that touch it.
-///
-/// Neither depends on stencils_at_ends.
+/// and after it are at least c_s/10.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);
 
 struct Event {

@@ -37,10 +37,6 @@ struct SlowSlipTime {
 struct SlowSlipCriteria {
   double longest = 1.0;   ///< mean slipping times
   double shortest = 0.5;  ///< the same; a block with less time than this has no value
-  /// Until the front ruptures the block in the centre of the last slow stencil, rather than the
-  /// last block of the slow stretch: half a stencil later where stencils at the ends count to
-  /// neither.
-  bool to_last_stencil = false;
 };
 
 /// The slow slip of `block` begins when waves have had the time H/c_s to end the fast slip, counted

@@ -18,6 +18,8 @@ Quantities kind_quantities(const Front& front) {
        front.fast_slow_fast},
       {"backward_stencils", "1", "stencils beyond the loading zone where the front runs backwards",
        static_cast<std::int64_t>(front.backward_stencils)},
+      {"ahead", "1", "blocks beyond the loading zone that ruptured before the front was there",
+       static_cast<std::int64_t>(front.ahead)},
   };
 }
 
@@ -37,8 +39,11 @@ Quantities classification_of(const Front& front) {
       {kind_quantities(front), {arrest}, speeds_of(front), {criteria_quantity(front.criteria)}});
 }
 
-Quantity rupture_times(const RuptureLine& line) {
-  return {"t_rupture", "s", "first rupture of each block", line.t_rupture};
+Quantities times_of(const Front& front) {
+  return {
+      {"t_rupture", "s", "first rupture of each block", front.line.t_rupture},
+      {"t_front", "s", "time at which the front is at each block", front.t_front},
+  };
 }
 
 /// With which speeds and positions are compared.
@@ -51,11 +56,10 @@ Quantities scales_of(const Parameters& p) {
 
 Quantities quantities_of(const Front& front, const Parameters& p) {
   const TextColumn times = {17, "{:.7f}"}, speeds = {12, "{:.4g}"};
-  const Quantities line = {
-      positions(front.line.x),
-      in_csv(rupture_times(front.line), times),
-      {"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds},
-  };
+  Quantities line = times_of(front);
+  for (Quantity& row : line) row = in_csv(row, times);
+  line.insert(line.begin(), positions(front.line.x));
+  line.push_back({"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds});
   return join(
       {line, classification_of(front), {stretch_quantity("slow", front.slow)}, scales_of(p)});
 }
@@ -86,12 +90,7 @@ Quantities event_quantities(const Parameters& p, const Event& event, std::int64_
       text_only(drop, {18, "{:.1f}", "drop of F_T [N]"}),
       text_only(slow, {0}),
   };
-  return join({before,
-               kind,
-               after,
-               speeds_of(event.front),
-               scales_of(p),
-               {rupture_times(event.front.line)}});
+  return join({before, kind, after, speeds_of(event.front), scales_of(p), times_of(event.front)});
 }
 
 Quantities quantities_of(const Parameters& p, const std::vector<Event>& events,
@@ -196,9 +195,10 @@ constinit const Command front_command = {
     "analyze front RECORD",
     "record",
     "rupture line, speed and type of the front in a record",
-    "Rupture line, speed and type of one event's front: the first rupture of each block, and\n"
-    "v_c from the end points of a moving stencil. If the record has several events, choose one;\n"
-    "on a prepared interface the default is the event that the trigger started.",
+    "Rupture line, speed and type of one event's front: the first rupture of each block, when\n"
+    "the contiguous ruptured region reaches it, and v_c from the end points of a moving stencil.\n"
+    "If the record has several events, choose one; on a prepared interface the default is the\n"
+    "event that the trigger started.",
     {add_format_options, add_event_options, add_criteria_options, add_also_option},
     [](const Parsed& parsed) { return print_each(parsed, report_of_front); },
     [] { return quantities_of(Front{}, Parameters{}); }};

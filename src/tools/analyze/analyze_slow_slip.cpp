@@ -18,7 +18,7 @@ SlowSlipCriteria slow_slip_criteria(const po::variables_map& values) {
   if (longest < shortest) {
     throw UsageError("--longest must be at least --shortest, {:g} (got {:g})", shortest, longest);
   }
-  return {longest, shortest, values.count("to-last-stencil") > 0};
+  return {longest, shortest};
 }
 
 /// The blocks between --x-from and --x-to, or those of the slow stretch.
@@ -130,9 +130,6 @@ void add_slow_slip_options(po::options_description& options) {
       "follow the slip of a block for at most W <t_R>");
   add("shortest", number("W")->default_value(0.5, "0.5"),
       "leave out blocks whose slip can be followed for less than W <t_R>");
-  add("to-last-stencil",
-      "follow the slip until the front ruptures the block in the centre of the last slow stencil, "
-      "rather than the last block of the slow stretch");
 }
 
 }  // namespace

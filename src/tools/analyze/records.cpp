@@ -143,7 +143,7 @@ double skip_below_x(const RecordCommand& command, std::size_t half_stencil) {
   return block_position(p, first + static_cast<std::int64_t>(half_stencil));
 }
 
-constexpr std::array<std::string_view, 3> kEnds = {"neither", "slow", "fast"};
+constexpr std::array<std::string_view, 2> kLines = {"contiguous", "raw"};
 
 std::string stretch_text(double limit, const SlowStretch& slow, double c_s) {
   return fmt::format(
@@ -154,7 +154,7 @@ std::string stretch_text(double limit, const SlowStretch& slow, double c_s) {
 std::string slow_text(const Front& front, double c_s) {
   if (front.slow) return stretch_text(front.criteria.slow_below, *front.slow, c_s);
   const char* const text = front.type == FrontType::slow
-                               ? "below c_s/{:.3g} for less than a stencil"
+                               ? "below c_s/{:.3g} only where it runs backwards"
                                : "no slow stretch below c_s/{:.3g}";
   return fmt::format(fmt::runtime(text), 1.0 / front.criteria.slow_below);
 }
@@ -219,9 +219,9 @@ void add_criteria_options(po::options_description& options) {
       "interface from prepare the centre of the first stencil beyond its trigger region");
   add("stencil", integer("N")->default_value(5),
       "odd number of blocks of the stencil whose end points give v_c");
-  add("stencils-at-ends", one_of("neither|slow|fast")->default_value("neither"),
-      "whether stencils that touch both the slow stretch and its surroundings belong to neither, "
-      "to the slow stretch, or to the fast sides");
+  add("line", one_of("contiguous|raw")->default_value("contiguous"),
+      "whether the front is at a block when the contiguous ruptured region reaches it, or when it "
+      "ruptures, even if alone");
   add("ruptured-below", number("F")->default_value(kRupturedFraction, "0.3"),
       "pinned fraction below which a block counts as ruptured: 0.3, or one of the record's "
       "--crossings");
@@ -230,11 +230,11 @@ void add_criteria_options(po::options_description& options) {
 FrontCriteria criteria(const RecordCommand& command) {
   const po::variables_map& values = command.values;
   const std::size_t blocks = stencil(values, command.record.parameters);
-  const auto ends = std::ranges::find(kEnds, values["stencils-at-ends"].as<std::string>());
+  const auto line = std::ranges::find(kLines, values["line"].as<std::string>());
   return {.slow_below = non_negative(values, "slow-below"),
           .skip_below_x = skip_below_x(command, blocks / 2),
           .stencil = blocks,
-          .stencils_at_ends = static_cast<StencilsAtEnds>(ends - kEnds.begin()),
+          .line = static_cast<Line>(line - kLines.begin()),
           .ruptured_below = fraction(values, "ruptured-below")};
 }
 
@@ -244,8 +244,8 @@ Quantity criteria_quantity(const FrontCriteria& criteria) {
       {"skip_below_x", "m", "blocks and speeds up to here do not count", criteria.skip_below_x},
       {"stencil", "1", "blocks of the stencil that gives v_c",
        static_cast<std::int64_t>(criteria.stencil)},
-      {"stencils_at_ends", "", "where stencils at the ends of the slow stretch belong",
-       std::string(kEnds.at(static_cast<std::size_t>(criteria.stencils_at_ends)))},
+      {"line", "", "whether the front is contiguous, or the raw line of ruptures",
+       std::string(kLines.at(static_cast<std::size_t>(criteria.line)))},
       {"ruptured_below", "1", "pinned fraction below which a block counts as ruptured",
        criteria.ruptured_below},
   };
@@ -265,14 +265,14 @@ Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretc
   const SlowStretch s = slow.value_or(SlowStretch{});
   const auto known = [&](double value) { return slow ? std::optional(value) : std::nullopt; };
   const Quantities rows = {
-      {"x_from", "m", "first block of the slow stretch", known(s.x_from)},
-      {"x_to", "m", "last block of the slow stretch", known(s.x_to)},
+      {"x_from", "m", "centre of the first slow stencil", known(s.x_from)},
+      {"x_to", "m", "centre of the last slow stencil", known(s.x_to)},
       {"t_from", "s", "time at which the slow stretch begins", known(s.t_from)},
       {"t_to", "s", "time at which the slow stretch ends", known(s.t_to)},
       {"duration", "s", "duration of the slow stretch", known(s.duration())},
       {"speed", "m/s", "median front speed in the slow stretch", known(s.speed)},
       {"slowest", "m/s", "smallest front speed in the slow stretch", known(s.slowest)},
-      {"stencils", "1", "consecutive slow stencils", known(static_cast<double>(s.stencils))},
+      {"stencils", "1", "slow stencils in it", known(static_cast<double>(s.stencils))},
       {"mean", "m/s", "length of the slow stretch over its duration", s.mean()},
       {"fast_before", "m/s", "median front speed before the slow stretch", s.fast_before},
       {"fast_after", "m/s", "median front speed after the slow stretch", s.fast_after},

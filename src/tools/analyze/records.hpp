@@ -44,8 +44,7 @@ struct ChosenEvent {
 /// the window: first ruptures of several events make no front.
 ChosenEvent choose_event(const RecordCommand& command);
 
-/// --slow-below, --skip-below-x, --stencil, --stencils-at-ends and --ruptured-below, by which
-/// record_of() goes.
+/// --slow-below, --skip-below-x, --stencil, --line and --ruptured-below, by which record_of() goes.
 void add_criteria_options(po::options_description& options);
 
 /// Of the options. By default, --skip-below-x is the centre of the first stencil that is free of

@@ -41,6 +41,8 @@ Front measure(RuptureLine line, const FrontCriteria& criteria = {}) {
   return measure_front(Parameters{}, std::move(line), criteria);
 }
 
+constexpr FrontCriteria kRaw = {.line = Line::raw};
+
 TEST(RuptureLine, holds_the_first_rupture_of_each_block_in_the_window) {
   const std::vector<Rupture> ruptures = {{1, 0.1, 3}, {2, 0.2, 3}, {3, 0.3, 4},
                                          {4, 0.4, 3}, {5, 0.5, 5}, {6, 0.25, 6}};
@@ -57,12 +59,13 @@ TEST(RuptureLine, holds_the_first_rupture_of_each_block_in_the_window) {
 
 TEST(FrontSpeed, is_the_inverse_slope_over_the_stencil) {
   // blocks 20-24 take 3 fast intervals and a slow one
-  const auto v_c = front_speed(slow_between(23, 40), {});
+  const RuptureLine line = slow_between(23, 40);
+  const auto v_c = front_speed(line.x, line.t_rupture, {});
   EXPECT_NEAR(*v_c[22], 4.0 / (3.0 / kFast + 1.0 / kSlow), 1e-6);
-  const auto v_3 = front_speed(slow_between(23, 40), {.stencil = 3});
+  const auto v_3 = front_speed(line.x, line.t_rupture, {.stencil = 3});
   EXPECT_NEAR(*v_3[22], kFast, 1e-6 * kFast);
   EXPECT_NEAR(*v_3[23], 2.0 / (1.0 / kFast + 1.0 / kSlow), 1e-6);
-  const auto v_7 = front_speed(slow_between(23, 40), {.stencil = 7});
+  const auto v_7 = front_speed(line.x, line.t_rupture, {.stencil = 7});
   EXPECT_NEAR(*v_7[22], 6.0 / (4.0 / kFast + 2.0 / kSlow), 1e-6);
   EXPECT_FALSE(v_7[2]);
   EXPECT_TRUE(v_7[3]);
@@ -72,7 +75,7 @@ TEST(FrontSpeed, has_no_value_near_the_edges_and_holes_or_where_the_ends_rupture
   RuptureLine line = line_of([](std::size_t) { return kFast; });
   line.t_rupture[30].reset();
   line.t_rupture[12] = line.t_rupture[8];
-  const auto v_c = front_speed(line, {});
+  const auto v_c = front_speed(line.x, line.t_rupture, {});
   for (const std::size_t i : {0U, 1U, 55U, 56U, 28U, 30U, 32U, 10U}) EXPECT_FALSE(v_c[i]) << i;
   for (const std::size_t i : {2U, 54U, 27U, 29U, 31U, 33U}) EXPECT_TRUE(v_c[i]) << i;
 }
@@ -114,7 +117,7 @@ TEST(Front, that_arrests_in_its_slow_stretch_has_no_speed_after_it) {
   arrest_behind(line, 30);
   const Front front = measure(line);
   ASSERT_TRUE(front.slow);
-  EXPECT_DOUBLE_EQ(front.slow->x_to, 26 * kSpacing) << "28 is the last with a whole stencil";
+  EXPECT_DOUBLE_EQ(front.slow->x_to, 28 * kSpacing) << "the last with a whole stencil";
   EXPECT_TRUE(front.slow->fast_before);
   EXPECT_FALSE(front.slow->fast_after);
 }
@@ -149,20 +152,23 @@ TEST(Front, tells_its_slowest_and_its_mean_speed) {
   ASSERT_TRUE(front.slow);
   EXPECT_NEAR(front.slow->slowest, 4.0 / (3.0 / kSlow + 1.0 / 4.0), 1e-6);
   ASSERT_TRUE(front.slow->mean());
-  EXPECT_NEAR(*front.slow->mean(), 13.0 / (12.0 / kSlow + 1.0 / 4.0), 1e-6);
+  // between blocks 19 and 36, the first and last stencils with a slow interval
+  EXPECT_NEAR(*front.slow->mean(), 17.0 / (14.0 / kSlow + 1.0 / 4.0 + 2.0 / kFast), 1e-6);
   EXPECT_NEAR(front.slow->speed, kSlow, 1e-6);
 }
 
 TEST(Front, is_slow_by_the_magnitude_of_its_speed_but_counts_forwards_only) {
   const Front front =
-      measure(line_of([](std::size_t n) { return n >= 20 && n < 25 ? -kSlow : kFast; }));
+      measure(line_of([](std::size_t n) { return n >= 20 && n < 25 ? -kSlow : kFast; }), kRaw);
   EXPECT_EQ(front.type, FrontType::slow);
   EXPECT_FALSE(front.slow);
   EXPECT_EQ(front.backward_stencils, 8U) << "around blocks 19 to 26";
   const Front later = measure(line_of([](std::size_t n) {
-    if (n >= 38 && n < 50) return -0.5 * kFast;  // seen by stencils around blocks 38 to 50
-    return n >= 20 && n < 35 ? kSlow : kFast;
-  }));
+                                if (n >= 38 && n < 50)
+                                  return -0.5 * kFast;  // seen by stencils around blocks 38 to 50
+                                return n >= 20 && n < 35 ? kSlow : kFast;
+                              }),
+                              kRaw);
   EXPECT_EQ(later.backward_stencils, 13U);
   EXPECT_NEAR(later.slow->fast_after.value(), kFast, 1e-4) << "no median holds them";
 }
@@ -190,9 +196,55 @@ TEST(Front, is_fast_slow_fast_by_the_papers_words) {
   arrest_behind(arrested, 50);
   EXPECT_FALSE(measure(arrested).fast_slow_fast);
   const SlowStretch slow = measure(slow_between(20, 35)).in_words.value();
-  EXPECT_EQ(std::pair(slow.x_from, slow.x_to), std::pair(arrested.x[17], arrested.x[38]))
-      << "two blocks on either side of the stencils that touch the slow stretch";
+  EXPECT_EQ(std::pair(slow.x_from, slow.x_to), std::pair(arrested.x[19], arrested.x[36]));
   EXPECT_NEAR(measure(slow_between(20, 35)).speed.value(), kFast, 1e-4);
+}
+
+// --- the contiguous front
+
+TEST(FrontTimes, are_the_latest_between_where_it_starts_and_the_block) {
+  const auto none = std::optional<double>();
+  EXPECT_EQ(front_times({1.0, 2.0, 3.0, 5.0, 4.0, none, 4.5, 6.0}),
+            FirstRuptures({1.0, 2.0, 3.0, 5.0, 5.0, none, 5.0, 6.0}));
+  EXPECT_EQ(front_times({9.0, 1.0, 2.0, 3.0}), FirstRuptures({9.0, 1.0, 2.0, 3.0}))
+      << "a block behind its start does not hold it up";
+  EXPECT_EQ(front_times({5.0, 3.0, 4.0, 1.0, 2.0}), FirstRuptures({5.0, 4.0, 4.0, 1.0, 2.0}))
+      << "to both sides of block 3";
+  EXPECT_EQ(front_times({none, none}), FirstRuptures({none, none}));
+}
+
+TEST(Front, is_not_moved_by_a_block_that_ruptures_alone_ahead_of_it) {
+  const RuptureLine whole = slow_between(20, 35);
+  RuptureLine line = whole;
+  line.t_rupture[30] = *line.t_rupture[30] - 2e-3;
+  const Front front = measure(line), raw = measure(line, kRaw), as_whole = measure(whole);
+  EXPECT_EQ(as_whole.ahead, 0U);
+  EXPECT_EQ(front.ahead, 1U);
+  EXPECT_EQ(front.backward_stencils, 0U);
+  EXPECT_GT(raw.backward_stencils, 0U);
+  EXPECT_EQ(front.t_front[30], front.t_front[29]);
+  for (const auto& [stretch, expected] :
+       {std::pair(front.slow, as_whole.slow), std::pair(front.in_words, as_whole.in_words)}) {
+    EXPECT_EQ(stretch->x_from, expected->x_from);
+    EXPECT_EQ(stretch->x_to, expected->x_to);
+    EXPECT_EQ(stretch->duration(), expected->duration());
+  }
+  EXPECT_LT(raw.slow->duration(), front.slow->duration()) << "cut at the block";
+  EXPECT_EQ(measure(whole, kRaw).v_c, as_whole.v_c) << "without such a block both are one";
+}
+
+TEST(Front, jumps_over_blocks_that_had_ruptured_and_is_fast_there) {
+  RuptureLine line = slow_between(20, 35);
+  for (std::size_t n = 24; n < 30; ++n) line.t_rupture[n] = 0.9;  // at block 30, it has all
+  const Front front = measure(line);
+  EXPECT_EQ(front.t_front[26], front.t_front[23]);
+  EXPECT_FALSE(front.v_c[26]);
+  ASSERT_TRUE(front.slow);
+  EXPECT_EQ(front.slow->x_from, line.x[19]);
+  EXPECT_EQ(front.slow->x_to, line.x[36]) << "the jump cuts no stretch";
+  EXPECT_EQ(front.slow->stencils, 15U) << "18 without those around blocks 25 to 27";
+  for (std::size_t n = 37; n < 57; ++n) line.t_rupture[n] = 0.9;
+  EXPECT_FALSE(measure(line).slow->fast_after) << "a jump has no speed";
 }
 
 TEST(Front, may_skip_a_block_in_its_slow_stretch) {
@@ -201,116 +253,74 @@ TEST(Front, may_skip_a_block_in_its_slow_stretch) {
   const Front front = measure(line);
   EXPECT_EQ(front.type, FrontType::slow);
   ASSERT_TRUE(front.slow);
-  EXPECT_LE(front.slow->x_to, 41 * kSpacing);
+  EXPECT_EQ(front.slow->x_to, line.x[41]);
 }
 
-// --- stencils at the ends of the slow stretch
+TEST(Front, that_starts_elsewhere_runs_to_both_sides) {
+  RuptureLine line = line_of([](std::size_t) { return kFast; });
+  for (std::size_t n = 0; n < 20; ++n) line.t_rupture[n] = line.t_rupture[40 - n];
+  const Front front = measure(line);
+  EXPECT_EQ(front.t_front, line.t_rupture);
+  EXPECT_LT(*front.v_c[12], 0.0);
+  EXPECT_GT(*front.v_c[28], 0.0);
+}
 
-/// Centres that count: to the slow stretch, and next to it to the fast sides.
-struct Centres {
-  std::size_t slow_from, slow_to, before_to, after_from;
-};
+// --- the slow stretch
 
 /// The front is slow between blocks 20 and 35, at 5 m/s; everywhere else each interval has another
 /// speed, so that the medians tell which stencils they are of. With h blocks on either side of its
 /// centre, a stencil is slow if its centre lies between blocks 21 - h and 34 + h.
-class StencilAtEnds : public ::testing::TestWithParam<std::size_t> {
- protected:
-  static constexpr std::size_t kFirstCounted = 9;  // the first beyond the loading zone
+class SlowStretchOf : public ::testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Stencil, SlowStretchOf, ::testing::Values(3U, 5U, 7U));
 
-  void expect_centres(const Centres& centres, StencilsAtEnds rule) const {
-    const FrontCriteria criteria = {.stencil = GetParam(), .stencils_at_ends = rule};
-    const Front front = measure(line_, criteria);
-    ASSERT_EQ(front.type, FrontType::slow);
-    EXPECT_FALSE(front.x_arrest);
-    ASSERT_TRUE(front.slow);
-    EXPECT_EQ(front.slow->x_from, line_.x[centres.slow_from]);
-    EXPECT_EQ(front.slow->x_to, line_.x[centres.slow_to]);
-    EXPECT_EQ(front.slow->t_from, line_.t_rupture[centres.slow_from]);
-    EXPECT_EQ(front.slow->t_to, line_.t_rupture[centres.slow_to]);
-    EXPECT_EQ(front.slow->speed, median_of(centres.slow_from, centres.slow_to));
-    EXPECT_EQ(front.slow->fast_before, median_of(kFirstCounted, centres.before_to));
-    EXPECT_EQ(front.slow->fast_after, median_of(centres.after_from, kBlocks - 1 - h_));
-  }
-
-  const std::size_t h_ = GetParam() / 2;
-
- private:
-  /// Median of v_c at blocks from..to.
-  std::optional<double> median_of(std::size_t from, std::size_t to) const {
-    std::vector<double> v_c;
-    for (std::size_t i = from; i <= to; ++i) {
-      v_c.push_back((line_.x[i + h_] - line_.x[i - h_]) /
-                    (*line_.t_rupture[i + h_] - *line_.t_rupture[i - h_]));
-    }
-    return median(v_c);
-  }
-
-  const RuptureLine line_ = line_of([](std::size_t n) {
+TEST_P(SlowStretchOf, goes_from_its_first_to_its_last_stencil) {
+  const RuptureLine line = line_of([](std::size_t n) {
     return n >= 20 && n < 35 ? 5.0 : kFast + 10.0 * static_cast<double>(n);
   });
-};
-
-INSTANTIATE_TEST_SUITE_P(Front, StencilAtEnds, ::testing::Values(3U, 5U, 7U));
-
-TEST_P(StencilAtEnds, counts_to_neither_to_the_slow_stretch_or_to_the_fast_sides) {
-  const std::size_t first = 21 - h_, last = 34 + h_;  // centres of slow stencils
-  expect_centres({first + h_, last - h_, first - h_ - 1, last + h_ + 1}, StencilsAtEnds::neither);
-  expect_centres({first - h_, last + h_, first - h_ - 1, last + h_ + 1}, StencilsAtEnds::slow);
-  expect_centres({first + h_, last - h_, first + h_ - 1, last - h_ + 1}, StencilsAtEnds::fast);
-}
-
-FrontCriteria with_ends(StencilsAtEnds rule) {
-  return {.stencils_at_ends = rule};
-}
-
-TEST(SlowStretches, grow_only_over_stencils_that_exist_and_not_into_the_loading_zone) {
-  const FrontCriteria slow = with_ends(StencilsAtEnds::slow);
-  EXPECT_DOUBLE_EQ(measure(slow_between(50, kBlocks), slow).slow->x_to, 54 * kSpacing);
-  RuptureLine line = slow_between(20, 35);
-  arrest_behind(line, 37);  // the last stencil is that around block 35
-  EXPECT_DOUBLE_EQ(measure(line, slow).slow->x_to, 35 * kSpacing);
-  EXPECT_DOUBLE_EQ(measure(slow_between(11, 35), slow).slow->x_from, 9 * kSpacing);
-}
-
-TEST(SlowStretches, grow_only_while_blocks_rupture_one_after_the_other) {
-  RuptureLine line = slow_between(20, 35);
-  line.t_rupture[18] = *line.t_rupture[19] + 1e-7;
-  line.t_rupture[38] = *line.t_rupture[37] - 1e-7;
-  const Front front = measure(line, with_ends(StencilsAtEnds::slow));
-  EXPECT_DOUBLE_EQ(front.slow->x_from, 19 * kSpacing);
-  EXPECT_DOUBLE_EQ(front.slow->x_to, 37 * kSpacing);
-}
-
-TEST(SlowStretches, of_a_single_block_have_no_mean_speed) {
-  const Front front = measure(slow_between(20, 22));  // slow stencils around blocks 19 to 23
+  const std::size_t h = GetParam() / 2, first = 21 - h, last = 34 + h;
+  const auto median_of = [&](std::size_t from, std::size_t to) {
+    std::vector<double> v_c;
+    for (std::size_t i = from; i <= to; ++i) {
+      v_c.push_back((line.x[i + h] - line.x[i - h]) /
+                    (*line.t_rupture[i + h] - *line.t_rupture[i - h]));
+    }
+    return median(v_c);
+  };
+  const Front front = measure(line, {.stencil = GetParam()});
   ASSERT_TRUE(front.slow);
+  EXPECT_EQ(front.slow->x_from, line.x[first]);
+  EXPECT_EQ(front.slow->x_to, line.x[last]);
+  EXPECT_EQ(front.slow->t_from, line.t_rupture[first]);
+  EXPECT_EQ(front.slow->t_to, line.t_rupture[last]);
+  EXPECT_EQ(front.slow->stencils, last - first + 1);
+  EXPECT_EQ(front.slow->speed, median_of(first, last));
+  EXPECT_EQ(front.slow->fast_before, median_of(9, first - h - 1)) << "beyond the loading zone";
+  EXPECT_EQ(front.slow->fast_after, median_of(last + h + 1, kBlocks - 1 - h));
+}
+
+TEST(SlowStretch, does_not_reach_into_the_loading_zone) {
+  EXPECT_EQ(measure(slow_between(5, 35)).slow->x_from, 9 * kSpacing);
+}
+
+TEST(SlowStretch, of_a_single_stencil_has_no_duration_and_no_mean_speed) {
+  const double limit =
+      66.0 / shear_wave_speed(Parameters{});  // a stencil with one fast interval: 75
+  const auto line = line_of([](std::size_t n) { return n >= 20 && n < 24 ? 60.0 : kFast; });
+  const Front front = measure(line, {.slow_below = limit});
+  ASSERT_TRUE(front.slow);
+  EXPECT_EQ(front.slow->x_from, 22 * kSpacing);
   EXPECT_EQ(front.slow->x_from, front.slow->x_to);
-  EXPECT_GT(front.slow->speed, 0.0);
+  EXPECT_EQ(front.slow->duration(), 0.0);
   EXPECT_FALSE(front.slow->mean());
 }
 
-TEST(SlowStretches, shorter_than_a_stencil_are_none_but_the_front_is_slow) {
-  const RuptureLine line = slow_between(20, 21);  // slow stencils around blocks 19 to 22
-  for (const auto rule : {StencilsAtEnds::neither, StencilsAtEnds::fast}) {
-    const Front front = measure(line, with_ends(rule));
-    EXPECT_EQ(front.type, FrontType::slow);
-    EXPECT_FALSE(front.slow);
-  }
-  const Front front = measure(line, with_ends(StencilsAtEnds::slow));
-  ASSERT_TRUE(front.slow);
-  EXPECT_DOUBLE_EQ(front.slow->x_from, 17 * kSpacing);
-  EXPECT_DOUBLE_EQ(front.slow->x_to, 24 * kSpacing);
-}
-
-TEST(SlowStretches, are_compared_by_the_blocks_that_count) {
-  // one interval at 0.5 m/s lasts longer than five at 10 m/s, but is shorter than a stencil
-  const auto line = line_of([](std::size_t n) {
-    if (n == 15) return 0.5;
-    return n >= 35 && n < 40 ? kSlow : kFast;
-  });
-  EXPECT_DOUBLE_EQ(measure(line).slow->x_from, 36 * kSpacing);
-  EXPECT_LT(measure(line, with_ends(StencilsAtEnds::slow)).slow->x_from, 15 * kSpacing);
+TEST(SlowStretch, in_words_is_below_a_tenth_of_the_speed_of_shear_waves) {
+  const double limit = shear_wave_speed(Parameters{}) / 10.0;
+  const auto at = [](double speed) {
+    return measure(line_of([=](std::size_t n) { return n >= 20 && n < 35 ? speed : kFast; }));
+  };
+  EXPECT_TRUE(at(0.999 * limit).in_words);
+  EXPECT_FALSE(at(1.001 * limit).in_words);
 }
 
 // --- events
