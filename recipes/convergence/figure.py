@@ -15,8 +15,7 @@ STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]
 SPEED = "slow speed [m/s]"
 OF_FRONT = ("speed", "duration", "x_from", "x_to")
 SLOW = dict(zip((SPEED, "duration [s]", "slow from [m]", "slow to [m]"), OF_FRONT))
-WITH_ENDS = ("speed with ends [m/s]", "duration with ends [s]")
-COLUMNS = ["type", *SLOW, "arrested at [m]", *WITH_ENDS]
+COLUMNS = ["type", *SLOW, "arrested at [m]"]
 LAMMPS = ("LAMMPS", "LAMMPS, edge springs half and damping along spring")  # lammps.ini
 YES = {True: "yes", False: "no"}
 IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
@@ -41,9 +40,8 @@ def read_places(points):
     """{name: case}. Of each place, the largest step comes first."""
     cases: dict[str, list] = {}
     for row, result in rows_of(points):
-        front, with_ends = (result.get(name, IMPOSSIBLE_FRONT) for name in ("front", "whole"))
+        front = result.get("front", IMPOSSIBLE_FRONT)
         case = event_front(front) | {"type": type_on_map(front["type"])}
-        case |= zip(WITH_ENDS, map((with_ends["slow"] or {}).get, OF_FRONT))
         name = "tau_bar_0 {:g}, sigma_bar {:g}".format(*place_of(row))
         cases.setdefault(name, []).append(case)
     return cases

@@ -8,14 +8,14 @@ edges.ini), over all sigma_bar; in each way to measure ("under").
 
 from chains.results import read_points
 from measure.tables import rows_of, write_table
-from measure.conventions import MEASURES, PRIMARY
+from measure.conventions import CONVENTIONS, PRIMARY
 from measure.bands import bands_of, width
 from measure.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
 
 
 def types_of(front):
     """{convention: type}; impossible where no interface can be prepared."""
-    return {name: front_type(front, name) for name in MEASURES}
+    return {name: front_type(front, name) for name in CONVENTIONS}
 
 
 def slowest(front):
@@ -35,7 +35,7 @@ def main(*files):
     fronts, changed, reference = map(read_points, files)
     of_places = [front for of in read_map(rows_of(fronts)).values() for front in of.values()]
     bands = bands_of(changed, reference)
-    found = {way: found_in(way, of_places, bands) for way in MEASURES}
+    found = {way: found_in(way, of_places, bands) for way in CONVENTIONS}
     return found.pop(PRIMARY) | {"fronts": len(of_places), "under": found}
 
 
@@ -46,5 +46,5 @@ def make(chains, results):
         for seed in seeds_of(fronts)
         for place, of in fronts.items()
     )
-    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *MEASURES]
+    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *CONVENTIONS]
     write_table(results / "no-slip-force.csv", names, rows)

@@ -13,15 +13,8 @@ BLOCKS = 5  # fewer tell nothing about a front
 NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest
 WITHOUT_NEAR_ARREST = "without fronts near arrest"
 FOR_TWO_T_R, FOR_WHOLE_T_R = "followed for up to 2 <t_R>", "followed for whole <t_R>"
-NARROW = "stencils at the ends to neither"  # the time ends with the last block of the slow stretch
-# Commands of the chains. In all but the last the time ends when the block of the last slow stencil
-# ruptures; the blocks are those at least two from both ends of what is slow.
-WINDOWS = {
-    PRIMARY: "slow_slip",
-    FOR_TWO_T_R: "two_t_R",
-    FOR_WHOLE_T_R: "whole_t_R",
-    NARROW: "narrow",
-}
+# Commands of the chains.
+WINDOWS = {PRIMARY: "slow_slip", FOR_TWO_T_R: "two_t_R", FOR_WHOLE_T_R: "whole_t_R"}
 OTHER_WINDOWS = [*WINDOWS][1:]
 
 

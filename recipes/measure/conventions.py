@@ -19,15 +19,11 @@ CONVENTIONS: dict[str, dict] = {  # name: options
     "slow below c_s/10": {"--slow-below": 1 / 10},
     "slow below c_s/30": {"--slow-below": 1 / 30},
     "lattice's c_s": {"--slow-below": SLOW_BELOW * C_S_OF_LATTICE / C_S},
-    "ends to the slow": {"--stencils-at-ends": "slow"},
-    "ends to the fast": {"--stencils-at-ends": "fast"},
+    "raw line": {"--line": "raw"},
 }
-
-# Those that make a difference to the types of fronts on a map, and other limits of slow fronts.
-MEASURES = {
-    name: options for name, options in CONVENTIONS.items() if "--stencils-at-ends" not in options
+WAYS = CONVENTIONS | {  # of types on a map: other limits of slow fronts, too
+    f"slow below c_s/{ratio}": {"--slow-below": 1 / ratio} for ratio in (8, 40, 60)
 }
-WAYS = MEASURES | {f"slow below c_s/{ratio}": {"--slow-below": 1 / ratio} for ratio in (8, 40, 60)}
 # What a chain measures with `analyze ... --also NAME`, beside the primary convention.
 SETS = {
     name: {way: options for way, options in ways.items() if way != PRIMARY}

@@ -15,7 +15,7 @@ from functools import cache
 
 from rupture.programs import output_of
 
-from measure.conventions import MEASURES, PRIMARY, each_way
+from measure.conventions import CONVENTIONS, PRIMARY, each_way
 from measure.fronts import TYPES, type_on_map
 
 STEP = 2.5e-4  # of tau_bar_0
@@ -44,7 +44,7 @@ class Interfaces:
     """Prepared interfaces with these options, run in the current folder; `ways` to measure their
     fronts."""
 
-    def __init__(self, options, step=STEP, ways=MEASURES):
+    def __init__(self, options, step=STEP, ways=CONVENTIONS):
         self.options = options
         self.step = step
         self.ways = ways
@@ -77,4 +77,4 @@ class Interfaces:
 
 def main(*options):
     interfaces = Interfaces(options)
-    return {way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in MEASURES}
+    return {way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in CONVENTIONS}

@@ -10,7 +10,7 @@ its own fronts at the boundary, and those of seed 1 elsewhere. The first file ha
 
 from chains.results import read_points
 from measure import front_map
-from measure.conventions import MEASURES, PRIMARY
+from measure.conventions import CONVENTIONS, PRIMARY
 from measure.tables import rows_of
 
 
@@ -27,7 +27,7 @@ def in_each_way(maps):
     """order_of() maps, {name: map}, in the primary way, and in the others."""
     found = {
         way: order_of({name: front_map.types_of(fronts, way) for name, fronts in maps.items()})
-        for way in MEASURES
+        for way in CONVENTIONS
     }
     primary = found.pop(PRIMARY)
     return primary | {"under": found}

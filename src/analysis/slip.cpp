@@ -87,9 +87,10 @@ std::optional<SlowSlipTime> slow_slip_time(const Parameters& p, const Front& fro
 std::vector<std::size_t> slow_blocks(const Front& front) {
   std::vector<std::size_t> blocks;
   if (!front.slow) return blocks;
-  for (std::size_t i = 0; i < front.line.x.size(); ++i) {
-    const double x = front.line.x[i];
-    if (x >= front.slow->x_from && x <= front.slow->x_to) blocks.push_back(i);
+  const auto& x = front.line.x;
+  const std::size_t h = front.criteria.half_stencil();
+  for (std::size_t i = h; i + h < x.size(); ++i) {
+    if (x[i - h] >= front.slow->x_from && x[i + h] <= front.slow->x_to) blocks.push_back(i);
   }
   return blocks;
 }

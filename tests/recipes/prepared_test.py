@@ -9,7 +9,7 @@ from pytest import mark
 import decay_length
 import no_slip_force
 from conftest import approx
-from measure.conventions import MEASURES, PRIMARY, WAYS
+from measure.conventions import CONVENTIONS, PRIMARY, WAYS
 
 DX = 2.5e-3  # [m]
 BLOCKS = 16
@@ -114,7 +114,7 @@ class TestNoSlipForce:
     NEARLY_SLOW = front("fast", 90.0, **{"slow below c_s/10": "slow"})
     FRONTS = [NEARLY_SLOW, front("fast"), front("arrested", 1.0), None]
     NARROW, WIDE, REFERENCE = (
-        {name: {"slow": 0.1, "fast": 0.1 + width} for name in MEASURES}
+        {name: {"slow": 0.1, "fast": 0.1 + width} for name in CONVENTIONS}
         for width in (0.001, 0.004, 0.06)
     )
     BANDS = {"0": (NARROW, REFERENCE), "0.1": (NARROW | {"stencil 3": WIDE[PRIMARY]}, REFERENCE)}

@@ -59,11 +59,11 @@ class TestFronts:
     def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self, points_of):
         slow, fast = ({"type": kind} | slips() for kind in ("slow", "fast"))
         points = points_of(
-            (1, {"slow_slip": slow, "narrow": slips(blocks=4)}), (1, {}), (1, {"slow_slip": fast})
+            (1, {"slow_slip": slow, "two_t_R": slips(blocks=4)}), (1, {}), (1, {"slow_slip": fast})
         )
         (front,) = slow_fronts.fronts(points)
         assert front["slow slip [m/s]"] == 1e-3
-        assert slow_fronts.fronts(points, slow_fronts.NARROW) == []
+        assert slow_fronts.fronts(points, slow_fronts.FOR_TWO_T_R) == []
 
     def test_windows_are_commands_of_the_chains(self):
         for name in ("slow_slip", "front_speed"):

@@ -46,6 +46,7 @@ struct SlowSlipCriteria {
 std::optional<SlowSlipTime> slow_slip_time(const Parameters& parameters, const Front& front,
                                            std::size_t block, const SlowSlipCriteria& criteria);
 
+/// The blocks with a whole stencil in the slow stretch.
 std::vector<std::size_t> slow_blocks(const Front& front);
 
 /// Straight line between 20 % and 80 % of the slip in `time`; slope [m/s].

@@ -298,6 +298,27 @@ TEST_P(SlowStretchOf, goes_from_its_first_to_its_last_stencil) {
   EXPECT_EQ(front.slow->fast_after, median_of(last + h + 1, kBlocks - 1 - h));
 }
 
+TEST(SlowStretch, is_measured_as_the_twelve_blocks_in_docs_claims_md_show) {
+  RuptureLine line;
+  for (const double ms : {0.00, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.57, 0.02, 0.59, 0.60}) {
+    line.x.push_back(static_cast<double>(line.x.size()) * kSpacing);
+    line.t_rupture.push_back(1e-3 * ms);
+  }
+  Parameters p;
+  p.Nx = 12;
+  const Front front = measure_front(p, line, {.skip_below_x = 0.0});
+  EXPECT_EQ(front.t_front[9], 0.57e-3);
+  EXPECT_EQ(front.ahead, 1U);
+  const double c_s = shear_wave_speed(Parameters{});
+  const SlowStretch slow = front.slow.value();
+  EXPECT_EQ(std::pair(slow.x_from, slow.x_to), std::pair(line.x[6], line.x[9]));
+  EXPECT_NEAR(slow.duration(), 0.51e-3, 1e-12);
+  EXPECT_NEAR(c_s / slow.slowest, 51, 0.5);
+  EXPECT_NEAR(c_s / slow.fast_before.value(), 4, 0.5);
+  EXPECT_FALSE(slow.fast_after);
+  EXPECT_NEAR(slow.mean().value(), 7.5e-3 / 0.51e-3, 1e-6);
+}
+
 TEST(SlowStretch, does_not_reach_into_the_loading_zone) {
   EXPECT_EQ(measure(slow_between(5, 35)).slow->x_from, 9 * kSpacing);
 }
