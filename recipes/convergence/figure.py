@@ -104,7 +104,7 @@ def own_result(cases, edges, with_lammps):
 def draw_event(axes, number, fronts):
     start = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
     for front, dt, colour, style in zip(fronts, STEPS, (BLACK, *LINES), ("-", "--", ":")):
-        time = (values(front["t_rupture"]) - start) * 1e3
+        time = (values(front["t_front"]) - start) * 1e3
         axes.plot(np.array(front["x"]) / front["L"], time, style, color=colour, label=f"{dt} s")
     axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))
     axes.set_title(f"event {number}")
@@ -114,7 +114,7 @@ def draw(events, edges, stem):
     fig, panels = lettered("ABC;DEF", DOUBLE, 0.66 * DOUBLE)
     for text, (number, fronts) in zip("ABC", events.items()):
         draw_event(panels[text], number, fronts)
-    panels["A"].set_ylabel("block ruptures after [ms]")
+    panels["A"].set_ylabel("front is there after [ms]")
     panels["C"].legend(loc="lower right", handlelength=1)
     continuum.draw([panels[text] for text in "DEF"], edges)
     save(fig, stem)

@@ -11,7 +11,7 @@ from measure.records import values
 from measure.tables import write_events
 from measure.fronts import is_fast_only
 from measure.loads import events_of
-from report.panels import along_interface, ruptured_early
+from report.panels import along_interface
 from report.plotting import DOUBLE, lettered, save
 from rupture.tools.command_line import plural
 
@@ -22,7 +22,6 @@ NAMES = {  # setting: title
     "exponential": "exponential $t_R$",
 }
 SHOWN = (-1, 5)  # after the first block that is shown [ms]
-BACK = 0.1  # lines break where they go back by more [ms]
 FROM = 0.2  # of L; before, fronts begin in many ways
 
 
@@ -37,14 +36,13 @@ def spanning_events(events):
     return [(kind_of(event), event) for event in events if event["spanning"]]
 
 
-def draw_rupture_lines(axes, events, colour):
-    """From the rupture of the block at FROM on, without blocks ahead of the front."""
+def draw_fronts(axes, events, colour):
+    """From the block at FROM on."""
     for event in events:
-        t_rupture = values(event["t_rupture"])
-        x = np.linspace(0, 1, len(t_rupture))
-        beyond = (x >= FROM) & np.isfinite(t_rupture) & ~ruptured_early(event)
-        time = (t_rupture[beyond] - t_rupture[beyond][0]) * 1e3
-        time[np.diff(time, prepend=0) < -BACK] = np.nan
+        t_front = values(event["t_front"])
+        x = np.linspace(0, 1, len(t_front))
+        beyond = (x >= FROM) & np.isfinite(t_front)
+        time = (t_front[beyond] - t_front[beyond][0]) * 1e3
         axes.plot(x[beyond], time, color=colour, linewidth=0.5)
     axes.set_title(plural(len(events), "event"))
 
@@ -57,11 +55,11 @@ def draw(loads, stem):
         for setting in NAMES:
             axes = next(of_row)
             pairs = chain(*loads[setting].values())
-            draw_rupture_lines(axes, [event for of, event in pairs if of == kind], colour)
+            draw_fronts(axes, [event for of, event in pairs if of == kind], colour)
     for text, title in zip("ABCD", NAMES.values()):
         panels[text].set_title(f"{title}: {panels[text].get_title()}")
     for text, kind in zip("AEI", alternation.KINDS):
-        panels[text].set_ylabel(f"{kind}\nblock ruptures after [ms]")
+        panels[text].set_ylabel(f"{kind}\nfront is there after [ms]")
     for text in "IJKL":
         along_interface(panels[text])
     panels["A"].set(xlim=(FROM, 1), ylim=SHOWN)

@@ -10,7 +10,14 @@ from claims import paper
 from measure.tables import write_columns, write_fronts
 from measure.event_numbers import at_transitions, numbers_of_events
 from measure.loads import events_of
-from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line, window_of
+from report.panels import (
+    draw_ahead,
+    draw_front_speeds,
+    draw_pinned,
+    draw_pinned_scale,
+    name_line,
+    window_of,
+)
 from report.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
 from rupture.replacing import replacing
 
@@ -37,7 +44,9 @@ def draw_slow_of_paper(axes, front):
 
 
 def draw_map(axes, front, pinned):
-    image = draw_pinned(axes, pinned, *window_of(front))
+    t_zero, window = window_of(front)
+    image = draw_pinned(axes, pinned, t_zero, window)
+    draw_ahead(axes, front, t_zero, color="white")
     if front["slow"]:
         draw_slow_of_paper(axes, front)
     return image

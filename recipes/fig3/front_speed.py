@@ -52,13 +52,12 @@ def scaling_of(rows):
     """Without values where a model could not be fitted."""
     full, simplified = fits_of(rows).values()
     both = full and simplified
+    names = ("r_squared", "slope", "exponent", "largest")
     return {
-        "r_squared_full": full and full.r_squared,
-        "r_squared_simplified": simplified and simplified.r_squared,
-        "slope_full": full and full.slope,
-        "slope_simplified": simplified and simplified.slope,
-        "difference": abs(full.slope / simplified.slope - 1) if both else None,
-    }
+        f"{name}_{model}": value
+        for model, fit in (("full", full), ("simplified", simplified))
+        for name, value in slow.measured(fit, *names).items()
+    } | {"difference": abs(full.slope / simplified.slope - 1) if both else None}
 
 
 def with_width(rows, widths, sigma_bar):

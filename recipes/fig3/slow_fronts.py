@@ -53,8 +53,10 @@ def speeds(rows):
 
 
 # y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how much
-# better the fit is than no dependence on x at all.
-ProportionalFit = namedtuple("ProportionalFit", "slope r_squared points")
+# better the fit is than no dependence on x at all. `exponent`: of a power law through the same
+# points, 1 if y is proportional to x; None unless all are positive. `largest`: deviation of a point
+# from the line, relative to the line.
+ProportionalFit = namedtuple("ProportionalFit", "slope r_squared points exponent largest")
 
 
 def fit_through_origin(x, y):
@@ -63,4 +65,12 @@ def fit_through_origin(x, y):
         return None
     slope = (x @ y) / (x @ x)
     residual = ((y - slope * x) ** 2).sum()
-    return ProportionalFit(slope, 1 - residual / ((y - y.mean()) ** 2).sum(), len(x))
+    r_squared = 1 - residual / ((y - y.mean()) ** 2).sum()
+    are_positive = min(*x, *y) > 0
+    exponent = np.polyfit(np.log(x), np.log(y), 1)[0] if are_positive else None
+    return ProportionalFit(slope, r_squared, len(x), exponent, np.abs(y / (slope * x) - 1).max())
+
+
+def measured(fit, *names):
+    """Of a fit; None of each without one."""
+    return {name: fit and getattr(fit, name) for name in names}

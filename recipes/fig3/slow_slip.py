@@ -42,7 +42,7 @@ def fit_of(rows):
     """Where each quantity could be varied: at two values or more, beside the reference."""
     counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
     found = fit(rows) if min(counts) >= 2 else None
-    return {"slope": found and found.slope, "r_squared": found and found.r_squared}
+    return slow.measured(found, "slope", "r_squared", "exponent", "largest")
 
 
 def largest_ratio(row):

@@ -6,7 +6,7 @@ import rupture
 from measure.records import values
 from measure.tables import write_events, write_fronts
 from measure.fronts import is_fast_slow
-from report.panels import draw_front_speeds, draw_image, window_of
+from report.panels import draw_ahead, draw_front_speeds, draw_image, window_of
 from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 SPEEDS = {  # label, colour, marker
@@ -23,8 +23,9 @@ def draw_map(axes, path, front, t_zero, window):
     p = np.where(record["p"] > 0, record["p"], np.nan)  # where there is contact
     ratio = (record["tau"] / p)[shown]
     image = draw_image(axes, record, ratio, shown, t_zero, vmin=-0.1, vmax=0.4)
-    line = (values(front["t_rupture"]) - t_zero) * 1e3
+    line = (values(front["t_front"]) - t_zero) * 1e3
     axes.plot(record.x / record.x[-1], line, color="white", linewidth=1)
+    draw_ahead(axes, front, t_zero, color="white")
     axes.set(ylim=window)
     return image
 
@@ -42,7 +43,7 @@ def draw(event, fronts, stem):
         image = draw_map(panels[text], event.file(file), fronts[name], t_zero, window)
         panels[text].set_title(SPEEDS[name][0])
     draw_speeds(panels["B"], fronts)
-    fig.colorbar(image, ax=panels["C"], label=r"$\tau/p$ (white: rupture)", aspect=30)
+    fig.colorbar(image, ax=panels["C"], label=r"$\tau/p$ (white: front)", aspect=30)
     save(fig, stem)
 
 

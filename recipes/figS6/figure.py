@@ -1,45 +1,27 @@
 """Figure S6 and its data."""
 
-import numpy as np
 import rupture
 
-from measure.records import values
 from measure.tables import write_events, write_fronts
-from measure.fronts import STENCIL
+
 from measure.front_map import load_map
 from measure.map_panels import write_map
 from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
-from report.panels import ruptured_early, window_of
+from report.panels import draw_ahead, window_of
 from report.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
 
 RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", CHANGED, "^"),
 }
-ENDS = STENCIL // 2  # blocks between the middle and either end of a stencil
 MAP = dict(
     panel="B",
     slow_below=(20, 8, 10, 30, 40),
 )
 
 
-def ahead_of_front(front):
-    """Of each stencil, whether a block at its end ruptured ahead of the front."""
-    ends = np.pad(ruptured_early(front), ENDS)
-    return ends[: -2 * ENDS] | ends[2 * ENDS :]
-
-
 def draw_speeds(axes, fronts):
-    joined = {
-        run: front | {"v_c": np.where(ahead_of_front(front), np.nan, values(front["v_c"]))}
-        for run, front in fronts.items()
-    }
-    draw_front_speeds(axes, joined, RUNS)
-    for run, (_, colour, marker) in RUNS.items():
-        front, ahead = fronts[run], ahead_of_front(fronts[run])
-        x, v_c = (values(front[name])[ahead] for name in ("x", "v_c"))
-        axes.plot(x / front["L"], v_c, marker, color=colour, markerfacecolor="none")
-    axes.plot([], [], "o", color=BLACK, markerfacecolor="none", label="block ahead of the front")
+    draw_front_speeds(axes, fronts, RUNS)
     limit = fronts["event"]["c_s"] / 10
     axes.axhline(limit, color=BLACK, linewidth=0.8)
     name_line(axes, "$c_s/10$", limit)
@@ -52,6 +34,7 @@ def draw(record, fronts, stem):
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2)
     image = draw_pinned(axes[0], rupture.open(record), t_zero, window)
     draw_pinned_scale(fig, image, axes[0])
+    draw_ahead(axes[0], fronts["event"], t_zero, color="white")
     draw_speeds(axes[1], fronts)
     letter(axes[0], "A")
     save(fig, stem)

@@ -77,4 +77,6 @@ class Interfaces:
 
 def main(*options):
     interfaces = Interfaces(options)
-    return {way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in CONVENTIONS}
+    return {
+        way: {kind: interfaces.edge(kind, way=way) for kind in TYPES[1:]} for way in CONVENTIONS
+    }

@@ -30,9 +30,9 @@ def numbers_of(front):
 
 def at_transitions(front):
     """When this front is at 0.4 L and at 0.6 L, after its first rupture [ms]."""
-    t_rupture = values(front["t_rupture"])
-    x, known = np.linspace(0, 1, len(t_rupture)), np.isfinite(t_rupture)
-    after = (t_rupture[known] - t_rupture[known].min()) * 1e3
+    ruptured, t_front = values(front["t_rupture"]), values(front["t_front"])
+    x, known = np.linspace(0, 1, len(t_front)), np.isfinite(t_front)
+    after = (t_front[known] - np.nanmin(ruptured)) * 1e3
     return np.interp(paper.TRANSITIONS, x[known], after)
 
 

@@ -40,9 +40,9 @@ def write_fronts(path, fronts):
     rows = (
         [name, *row]
         for name, front in fronts.items()
-        for row in zip(front["x"], front["t_rupture"], front["v_c"])
+        for row in zip(*(front[name] for name in ("x", "t_rupture", "t_front", "v_c")))
     )
-    write_table(path, ["front", "x [m]", "t_rupture [s]", "v_c [m/s]"], rows)
+    write_table(path, ["front", "x [m]", "t_rupture [s]", "t_front [s]", "v_c [m/s]"], rows)
 
 
 def write_events(path, events, columns):

@@ -5,7 +5,6 @@ from rupture import plotting
 from rupture.plotting import along_interface, draw_image  # noqa: F401  (for the recipes)
 from rupture.plotting import draw_pinned, draw_pinned_scale, name_line  # noqa: F401
 
-from claims import paper
 from measure.records import values
 from measure.fronts import LOADING_ZONE
 
@@ -19,13 +18,12 @@ def window_of(*fronts):
     return t_zero, (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
 
 
-def ruptured_early(front):
-    """Blocks that ruptured ahead of the front: so long before their neighbours that a front of
-    c_s/100 would have passed from them to these."""
-    t = values(front["t_rupture"])
-    spacing = front["L"] / (len(t) - 1)
-    beside = np.pad(t, 1, constant_values=np.inf)
-    return np.minimum(beside[:-2], beside[2:]) - t > spacing / (paper.SLOW * front["c_s"])
+def draw_ahead(axes, front, t_zero, **look):
+    """Blocks beyond the loading zone that ruptured ahead of the front; times in ms after t_zero."""
+    x, ruptured, front_at = (values(front[name]) for name in ("x", "t_rupture", "t_front"))
+    ahead = (ruptured < front_at) & (x > LOADING_ZONE)
+    times = (ruptured[ahead] - t_zero) * 1e3
+    axes.plot(x[ahead] / front["L"], times, ".", markersize=2, **look)
 
 
 def draw_front_speeds(axes, fronts, looks):

@@ -1,12 +1,9 @@
 """Kinds of events, and which of a load are shown (recipes/measure)."""
 
-import numpy as np
-
 from choose_shown import choose
 from conftest import approx
 from measure.conventions import CONVENTIONS, PRIMARY
 from measure.event_numbers import numbers_of_events
-from report.panels import ruptured_early
 
 
 def event(t_start, *, kind="slow", fast_slow_fast=True):
@@ -31,13 +28,6 @@ class TestChoice:
         assert chosen["fast-only"] is None
 
 
-def test_blocks_ahead_of_a_front_rupture_long_before_their_neighbours():
-    milliseconds = np.array([0, 5, 3, 5, np.nan, 9])  # a front of c_s/100 needs 1 ms per block
-    for unit, ahead in ((1e-3, [0, 2]), (1e-4, [])):
-        front = {"t_rupture": milliseconds * unit, "L": 0.05, "c_s": 1000.0}
-        assert np.flatnonzero(ruptured_early(front)).tolist() == ahead
-
-
 class TestConventions:
     def test_each_differs_from_the_primary_one_in_one_way(self):
         assert CONVENTIONS[PRIMARY] == {}
@@ -57,6 +47,7 @@ def made_up(fast, slowest, x_from=0.05, duration=1e-3, in_words=True):
         "L": 0.1,
         "slow": slow | {"duration": duration},
         "t_rupture": [k * 1e-3 for k in range(11)],
+        "t_front": [k * 1e-3 for k in range(11)],
     }
 
 

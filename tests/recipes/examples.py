@@ -49,7 +49,19 @@ SIMPLIFIED["slow"] = {"fast_before": 100.0, "speed": 10.0, "duration": 0.5e-3}
 GATHERING = {"deviation": {"largest": 0.02}, "on_map": {"p": 0.009}, "over_events": {"p": 0.009}}
 LAW = {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}
 STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18]}
+MODELS = ("full", "simplified")
 SLOPES = {"r_squared_full": 0.95, "r_squared_simplified": 0.95, "difference": 0.2}
+SLOPES |= {f"exponent_{of}": 1.0 for of in MODELS}
+# For 2A-numbers: the paper's event, and values just within and beyond the bounds.
+PAPERS = {"x_from": 0.4 * L, "x_to": 0.6 * L, "duration": 1e-3}
+PAPERS |= {"fast_before": C_S / 3, "slowest": C_S / 100}
+AROUND: dict[str, tuple] = {
+    "x_from": ((0.301 * L, 0.499 * L), (0.299 * L, 0.501 * L)),
+    "x_to": ((0.501 * L, 0.699 * L), (0.499 * L, 0.701 * L)),
+    "duration": ((0.51e-3, 1.99e-3), (0.49e-3, 2.01e-3)),
+    "fast_before": ((C_S / 5.9, C_S / 1.51), (C_S / 6.1, C_S / 1.49, None)),
+    "slowest": ((C_S / 199, C_S / 51), (C_S / 201, C_S / 49)),
+}
 
 EXAMPLES = {
     "1D": Example(
@@ -103,6 +115,13 @@ EXAMPLES = {
         ],
     ),
     "2A": Example({"event": WORDS}, beyond=[{"event.fast_slow_fast": False}]),
+    "2A-numbers": Example(
+        {"event": FRONT | {"in_words": PAPERS}},
+        within=[{f"event.in_words.{name}": x} for name, (xs, _) in AROUND.items() for x in xs]
+        + [{"event.type": "fast"}],
+        beyond=[{f"event.in_words.{name}": x} for name, (_, xs) in AROUND.items() for x in xs]
+        + [{"event.type": "arrested"}, {"event.in_words": None}],
+    ),
     "2B": Example(
         {"event": FRONT | {"type": "fast"}},
         beyond=[{"event.type": "slow"}, {"event.type": "arrested"}],
@@ -158,9 +177,11 @@ EXAMPLES = {
         ],
     ),
     "3C-inset": Example(
-        {"slope": {"slope": 1.0, "r_squared": 0.95}},
-        within=[{"slope.slope": 0.75}, {"slope.slope": 1.25}],
+        {"slope": {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0}},
+        within=[{"slope.slope": 0.75}, {"slope.slope": 1.25}]
+        + [{"slope.exponent": x} for x in (0.901, 1.099)],
         beyond=[
+            *({"slope.exponent": x} for x in (0.899, 1.101, None)),
             {"slope.slope": 0.749},
             {"slope.slope": 1.251},
             {"slope.slope": None},
@@ -173,7 +194,9 @@ EXAMPLES = {
     ),
     "3D": Example(
         {"scaling": SLOPES},
+        within=[{f"scaling.exponent_{of}": x} for of in MODELS for x in (0.901, 1.099)],
         beyond=[
+            *({f"scaling.exponent_{of}": x} for of in MODELS for x in (0.899, 1.101, None)),
             {"scaling.r_squared_full": 0.949},
             {"scaling.r_squared_simplified": 0.949},
             {"scaling.r_squared_simplified": None},

@@ -6,7 +6,7 @@ from scipy.stats import mannwhitneyu
 
 from conftest import approx
 from measure.rank_test import permutation, share_of_lower, van_elteren
-from measure.conventions import MEASURES, PRIMARY, SETS, WAYS
+from measure.conventions import CONVENTIONS, PRIMARY, SETS, WAYS
 from measure import front_map
 from measure.front_map import front_type, out_of_order
 from measure.map_order import in_each_way
@@ -123,7 +123,7 @@ class TestSeeds:
         ):
             found = in_each_way({name: maps[name] for name in names})
             assert (found["types"], found["out_of_order"]) == primary
-            assert [*found["under"]] == [way for way in MEASURES if way != PRIMARY]
+            assert [*found["under"]] == [way for way in CONVENTIONS if way != PRIMARY]
             assert tuple(found["under"]["stencil 3"].values()) == other
 
 

@@ -175,7 +175,7 @@ def test_3C_neighbours_are_alike_up_to_a_fifth(monkeypatch):
 
 def test_3D_the_difference_of_the_slopes_is_relative(monkeypatch):
     fits = {"full": 0.9, "simplified": 0.6}
-    made = {name: slow_slip.slow.ProportionalFit(s, 1.0, 2) for name, s in fits.items()}
+    made = {name: slow_slip.slow.ProportionalFit(s, 1.0, 2, 1.0, 0.0) for name, s in fits.items()}
     monkeypatch.setattr(front_speed, "fits_of", lambda _: made)
     assert front_speed.scaling_of([])["difference"] == approx(0.5)
 

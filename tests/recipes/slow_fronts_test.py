@@ -38,6 +38,9 @@ class TestFit:
         assert fit.r_squared == approx(1 - 27 / 14 / 6)
         assert fit_through_origin([1, 2, 3], [3, 2, 1]).r_squared < 0
         assert fit_through_origin([1], [1]) is None
+        assert fit_through_origin([1, 2, 4], [3, 12, 48]).exponent == approx(2)
+        assert fit_through_origin([1, 2], [3, -6]).exponent is None
+        assert fit.largest == approx(3 / (27 / 14) - 1)
 
 
 class TestFronts:
@@ -91,7 +94,7 @@ class TestSlowSlip:
         assert case["r_squared"] == approx(1)
 
     def test_each_quantity_has_to_vary(self):
-        missing = {"slope": None, "r_squared": None}
+        missing = dict.fromkeys(("slope", "r_squared", "exponent", "largest"))
         assert slow_slip.fit_of(slow_slip.varied(SET[1:])) == missing
         assert slow_slip.fit_of(slow_slip.varied(SET, "k_i and K")) == missing
 
