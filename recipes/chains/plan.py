@@ -18,8 +18,7 @@ from chains.check import check
 from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
 from chains.points import Waiting, those
 from chains.selection import Chains
-from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_current, write_if_changed
-from reproduce.project import SHARE
+from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_current, read, write_if_changed
 from rupture.errors import Failure, UsageError
 from reproduce.written import note
 
@@ -28,7 +27,6 @@ FOLDER = DATA / "plan"
 MOST_BATCHES = 64  # of up to LARGEST_BATCH points, so that many cores have work until the end
 LARGEST_BATCH = 60  # points
 FILES = ("build.ninja", ".ninja_log", ".ninja_deps")
-OF_CLAIMS = SHARE / "recipes/claims/claims.toml"  # a changed acceptance is judged anew
 # A profile's `step` starts commands as the shell does (docs/cluster.md);
 # setpriv ends them with a Ninja that is killed.
 STEP = (
@@ -170,13 +168,14 @@ class Plan:
         note(RESULTS, data, code)
         rows = {name: [point.row for point in points] for name, points in reads.items()}
         write_if_changed(data, json.dumps(rows))
-        texts = [OF_CLAIMS, *sorted((RECIPES / recipe).glob("*.toml"))]
-        script = digest_of_scripts(RECIPES / recipe / "figure.py", OF_CLAIMS.with_name("judge.py"))
-        write_if_changed(code, script + "".join(file.read_text("utf-8") for file in texts))
+        folder = RECIPES / recipe
+        texts = [folder.parent / "claims.toml", *sorted(folder.glob("*.toml"))]
+        script = digest_of_scripts(folder / "figure.py", RECIPES / "claims/judge.py")
+        write_if_changed(code, script + "".join(map(read, texts)))
         listed = figure.sections["figure"]
         keys = ("pictures", "tables", "others")
         pictures, tables, others = (re.findall(r"[^\s,]+", listed.get(key, "")) for key in keys)
-        files = [f"{stem}.{end}" for stem in pictures or [recipe] for end in ("png", "pdf")]
+        files = [f"{stem}.{end}" for stem in pictures or [folder.name] for end in ("png", "pdf")]
         files += [*(f"{table}.csv" for table in tables), *others]
         outputs = [RESULTS / recipe / file for file in ("claims.json", *files)]
         points = {point.path: None for points in reads.values() for point in points}

@@ -117,10 +117,8 @@ def read_results(path):
         claims = [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
         return claims, [Number(**row) for row in content["numbers"]]
     except (OSError, KeyError, ValueError, TypeError) as error:
-        recipe = path.parent.name
-        raise Failure(
-            f"{path} is not a table of claims ({error}): delete it and run ./reproduce.sh {recipe}."
-        ) from error
+        sentence = f"{path} is not a table of claims ({error}): delete it, and compute it again."
+        raise Failure(sentence) from error
 
 
 # --- for readers ---------------------------------------------------------------------------

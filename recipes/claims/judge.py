@@ -13,9 +13,10 @@ from claims import cases
 from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, PRIMARY, REPRODUCED
 from claims.claim import Claim, Share, plural, split_unit
 from claims.conditions import as_read, met, wanted
+from reproduce.recipes import paper_of
 from rupture.errors import Failure
 
-TABLE = Path(__file__).with_name("claims.toml")
+RECIPES = Path(__file__).parents[1]
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
@@ -23,18 +24,30 @@ CASES = {True: HOLDS, False: DOES_NOT_HOLD}
 
 
 @cache
-def table():
-    """{claim id: its row, with its id and recipe}. A row has all of the one that it is like, except
-    for what it says itself."""
+def read(paper):
+    """What a paper is, and {recipe: {claim: its row}}."""
+    path = RECIPES / paper / "claims.toml"
     try:
-        recipes = tomllib.loads(TABLE.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise Failure(f"The claims in {TABLE} cannot be read ({error}).") from error
+        recipes = tomllib.loads(path.read_text(encoding="utf-8"))
+        return recipes.pop("paper"), recipes
+    except (OSError, KeyError, ValueError) as error:
+        raise Failure(f"The claims in {path} cannot be read ({error}).") from error
+
+
+@cache
+def table(paper=""):
+    """{claim id: its row, with its id and recipe}, of another paper PAPER/2A and PAPER/fig2. A row
+    has all of the one that it is like, except for what it says itself."""
     found: dict[str, dict] = {}
-    for recipe, rows in recipes.items():
+    for recipe, rows in read(paper)[1].items():
         for name, row in rows.items():
-            found[name] = found.get(row.get("like"), {}) | row | {"id": name, "recipe": recipe}
+            name, like, of = (str(Path(paper, n)) for n in (name, row.get("like", "-"), recipe))
+            found[name] = found.get(like, {}) | row | {"id": name, "recipe": of}
     return found
+
+
+def row_of(claim_id):
+    return table(paper_of(claim_id))[claim_id]
 
 
 # --- one case ------------------------------------------------------------------------------
@@ -42,7 +55,7 @@ def table():
 
 def conditions_of(claim_id):
     """{quantity: {relation: bound, ...}, or the value that it must have}"""
-    return table()[claim_id]["conditions"]
+    return row_of(claim_id)["conditions"]
 
 
 def holds(claim_id, cases):
@@ -208,7 +221,7 @@ def share_of_all(row, chains):
 
 def judged(claim_id, chains):
     """The claim with its verdict. `chains`: {name: points}, those that its recipe reads."""
-    row = table()[claim_id]
+    row = row_of(claim_id)
     shown = cases.of_shown(row, chains)
     first = next(iter(shown.values()), None)
     case = first.case() if first and ("if" not in row or first.value(row["if"])) else None
@@ -243,4 +256,5 @@ def judged(claim_id, chains):
 
 def judge(recipe, chains):
     """All claims of a recipe."""
-    return [judged(name, chains) for name, row in table().items() if row["recipe"] == recipe]
+    rows = table(paper_of(recipe)).values()
+    return [judged(row["id"], chains) for row in rows if row["recipe"] == recipe]

@@ -9,7 +9,7 @@ from claims.claim import number, split_unit
 from report.symbols import typeset_html
 
 NOT_RUN = "not run"
-PLACE = re.compile(r"\{([\w-]+):\s([^{}]+)\}")  # {claim: quantity [unit]}
+PLACE = re.compile(r"\{([\w/-]+):\s([^{}]+)\}")  # {claim: quantity [unit]}
 SENTENCE = re.compile(r"((?<=\.)\s+(?=[A-Z{])|\n\s*\n|\n(?=- ))")  # what ends one, or an item
 MARKS_OF_MARKDOWN = re.compile(r"[\\`*_\[\]!]")
 LINK = re.compile(r'<a href="(?![a-z]+:|#)([^"]*)">(.*?)</a>', re.DOTALL)  # to a file

@@ -5,7 +5,7 @@ import re
 from collections import Counter
 
 from claims.claim import DOES_NOT_HOLD, HOLDS
-from claims.judge import PRIMARY, needed, table
+from claims.judge import PRIMARY, needed, row_of
 from report.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 from reproduce.recipes import label
 
@@ -40,7 +40,7 @@ def draw_shares(axes, claim, height):
     axes.plot([share.part() for share in others], len(others) * [height], **OTHER_LOOK)
     if primary.low is not None:
         axes.plot([primary.low, primary.high], [height, height], color=BLACK, linewidth=0.8)
-        axes.vlines(needed(table()[claim.id]), height - 0.4, height + 0.4, **NEEDED_LOOK)
+        axes.vlines(needed(row_of(claim.id)), height - 0.4, height + 0.4, **NEEDED_LOOK)
     axes.plot(primary.part(), height, **PRIMARY_LOOK)
     if claim.case is not None:
         axes.plot(1.1, height, CASES[claim.case][0], color=BLACK, markersize=4)
@@ -73,7 +73,7 @@ def draw_legend(axes):
 
 def draw_glance(claims, stem):
     """Draws rows downwards; figures are separated, and named once."""
-    recipes = [table()[claim.id]["recipe"] for claim in claims]
+    recipes = [row_of(claim.id)["recipe"] for claim in claims]
     first = [recipe not in recipes[:n] for n, recipe in enumerate(recipes)]
     heights = {c.id: n + GAP * sum(first[1 : n + 1]) for n, c in enumerate(claims)}
     places, last = places_of(claims), max(heights.values())

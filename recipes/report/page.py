@@ -12,7 +12,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.caption import as_html, filled, of_files, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_results
-from claims.judge import table
+from claims.judge import read, table
 from claims.own_result import read_own
 from claims.released import released
 from rupture.replacing import write_whole
@@ -20,7 +20,7 @@ from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
 from report import origin
-from reproduce.recipes import label, natural, read_readme, recipe_names
+from reproduce.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from reproduce.written import take
 from report.symbols import typeset
@@ -47,7 +47,7 @@ def picture(path, alt):
     with open(path, "rb") as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":
-        raise Failure(f"{path} is not a PNG: delete it and run ./reproduce.sh {path.parent.name}.")
+        raise Failure(f"{path} is not a PNG: delete it, and draw it again.")
     width, height = struct.unpack(">II", head[16:24])
     pdf = path.with_suffix(".pdf")
     return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)
@@ -65,7 +65,8 @@ class Recipe:
     def __init__(self, root, name, shown, accounts):
         folder = root / "results" / name
         readme = read_readme(root / "recipes" / name / "README.md")
-        self.name, self.label = name, label(name)  # no label if it belongs to no figure
+        self.name = folder.name  # beside the page
+        self.label = label(name)  # none if it belongs to no figure
         self.title, self.commands = readme.title, readme.commands
         (self.claims, self.numbers), self.own = read_results(folder / CLAIMS), read_own(folder)
         there = {path.name for path in folder.iterdir()}
@@ -80,18 +81,18 @@ class Recipe:
         self.jobs, self.sums = accounts.jobs(files), origin.checksums(root, files)
 
 
-def rows_of(recipes):
-    """[(recipe, claim), ...] in the order of claims.toml."""
+def rows_of(recipes, table):
+    """[(recipe, claim), ...] in the order of the table."""
     found = {}
     for recipe in recipes:
         for claim in recipe.claims:
             path = f"results/{recipe.name}/claims.json"
-            if claim.id not in table():
+            if claim.id not in table:
                 raise Failure(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
             if claim.id in found:
                 raise Failure(f"Claim '{claim.id}' is in {path} although it was found before.")
             found[claim.id] = recipe, claim
-    return [found[claim_id] for claim_id in table() if claim_id in found]
+    return [found[claim_id] for claim_id in table if claim_id in found]
 
 
 def duration(seconds):
@@ -110,28 +111,31 @@ def glance_picture(results, claims):
     return picture(results / "claims.png", SEEN)
 
 
-def contents(root):
-    accounts = origin.Accounts(root)
+def contents(root, paper):
+    accounts, results = origin.Accounts(root), root / "results" / paper
     names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
-    recipes = [Recipe(root, name, names, accounts) for name in names]
-    rows = rows_of(recipes)
+    names = [name for name in names if paper_of(name) == paper]
+    shown = [Path(name).name for name in names]
+    recipes = [Recipe(root, name, shown, accounts) for name in names]
+    rows = rows_of(recipes, table(paper))
     claims = [claim for _, claim in rows]
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs, builds = accounts.jobs(files), origin.builds(root, files)
     verdicts = (root / "docs/claims.md").read_text(encoding="utf-8")
     return {
+        "paper": read(paper)[0],
         "recipes": recipes,
         "rows": rows,
-        "listed": len(table()),
+        "listed": len(table(paper)),
         "counts": [
             (kind, [(sum((c.kind, c.standing) == (kind, s) for c in claims), s) for s in STANDINGS])
             for kind in ("finding", "check")
         ],
         "numbers": [number for recipe in recipes for number in recipe.numbers],
         "released": released(root, files),
-        "movie": (root / "results" / MOVIE).exists() and MOVIE,
-        "glance": glance_picture(root / "results", claims),
-        "verdicts": as_html(verdicts.partition("\n")[2], names),  # below its title
+        "movie": (results / MOVIE).exists() and MOVIE,
+        "glance": glance_picture(results, claims),
+        "verdicts": as_html(verdicts.partition("\n")[2], shown),  # below its title
         "jobs": jobs,
         "run": origin.last_run(root, jobs),
         "builds": builds,
@@ -159,15 +163,25 @@ def render(content):
     return environment.get_template("page.html.j2").render(content)
 
 
+def write_page(root, results, paper):
+    """Returns what it shows."""
+    path = results / paper / "index.html"
+    take(results, *map(path.with_name, WRITTEN))
+    content = contents(root, paper)
+    write_whole(path, render(content))
+    write_numbers(path.with_name("numbers.csv"), content["numbers"])
+    print(f"Report: {path}", flush=True)
+    return content
+
+
 def main(folder="."):
     root = Path(folder).resolve()
     results = (root / "results").resolve()
-    path = results / "index.html"
     try:
-        take(results, *(results / name for name in (*WRITTEN, CRATE)))
-        content = contents(root)
-        write_whole(path, render(content))
-        write_numbers(results / "numbers.csv", content["numbers"])
+        take(results, results / CRATE)
+        ran = (name for name in recipe_names(root) if (results / name / CLAIMS).exists())
+        papers = sorted({"", *map(paper_of, ran)})
+        content, *_ = [write_page(root, results, paper) for paper in papers]
         write_crate(root)
         if len(content["rows"]) == len(table()):
             own = [result for recipe in content["recipes"] for result in recipe.own]
@@ -175,7 +189,6 @@ def main(folder="."):
             main_build = next((build for build, _ in content["builds"]), "")  # of most records
             version = origin.version_of(main_build)
             update_readme(root, claims, own, content["numbers"], version)
-        print(f"Report: {path}", flush=True)
     except Failure as problem:
         sys.exit(f"report: {problem}")
     except OSError as error:

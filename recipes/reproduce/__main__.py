@@ -24,7 +24,8 @@ def recipes(request, processes):
             say(line)
         return 0
     is_all = request.command == "all"
-    named = [name for name in figures() if name not in BESIDE_ALL] if is_all else request.words
+    of_all = [name for name in figures() if name not in BESIDE_ALL and "/" not in name]
+    named = of_all if is_all else request.words
     compute.reproduce(request, named, processes)
     code = (compute.write_report_if_needed if is_all else compute.write_crate)(processes)
     minutes, seconds = divmod(round(time.monotonic() - started), 60)

@@ -10,14 +10,20 @@ def natural(name):
 
 
 def recipe_names(root):
-    """fig1, fig2, ..., figS1, ..., then what belongs to no figure."""
-    names = (path.parent.name for path in root.glob("recipes/*/figure.ini"))
-    return sorted(names, key=lambda name: (not label(name), natural(name)))
+    """fig1, ..., figS1, ..., then what belongs to no figure; then PAPER/fig1, ... of others."""
+    recipes = root / "recipes"
+    names = (str(path.parent.relative_to(recipes)) for path in recipes.rglob("figure.ini"))
+    return sorted(names, key=lambda name: (paper_of(name), not label(name), natural(name)))
+
+
+def paper_of(name):
+    """PAPER of its recipe PAPER/fig1, or claim PAPER/2A; nothing of the first paper."""
+    return name.rpartition("/")[0]
 
 
 def label(name):
     """Figure S3 of figS3; nothing for what belongs to no figure."""
-    figure = re.fullmatch(r"fig(S?\d+)", name)
+    figure = re.fullmatch(r"(?:.*/)?fig(S?\d+)", name)
     return f"Figure {figure[1]}" if figure else ""
 
 

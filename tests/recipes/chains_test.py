@@ -13,7 +13,7 @@ from pytest import fixture, mark
 from chains.points import Waiting
 from chains.selection import Chains
 from conftest import ROOT, run
-from reproduce.recipes import read_readme
+from reproduce.recipes import read_readme, recipe_names
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
@@ -28,7 +28,6 @@ ONLY_BY_HAND = (
 # {option: value} of what `load` and `prepare` start from.
 PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["parameters"]
 DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}
-CHAINS = sorted(path.parent.name for path in (ROOT / "recipes").glob("*/figure.ini"))
 
 
 def commands_of(chains, path):
@@ -46,7 +45,7 @@ def commands_of(chains, path):
 
 def all_commands():
     chains = Chains()
-    for path in sorted((ROOT / "recipes").glob("*/*.ini")):
+    for path in sorted((ROOT / "recipes").rglob("*.ini")):
         if path.name != "figure.ini":
             yield from commands_of(chains, path)
 
@@ -109,7 +108,7 @@ def all_calls():
     return list({repr(call): call for call in found}.values())
 
 
-@mark.parametrize("name", CHAINS)
+@mark.parametrize("name", recipe_names(ROOT))
 def test_each_command_by_hand_is_one_of_a_chain(name, calls):
     pages = (ROOT / "recipes" / name).glob("*.md")
     chain = [words for page in pages for words in calls_in(read_readme(page).commands)]

@@ -14,7 +14,9 @@ import pytest
 from chains import digests, progress
 from chains.point import compute
 from chains.selection import Chains
+from claims.judge import table
 from conftest import BIN, ROOT, run
+from fixture import png
 from reproduce.written import append_to
 from stand_ins import Project
 
@@ -132,7 +134,7 @@ CHANGES = [  # in a file, what is replaced by what, and the jobs that follow
     ("recipes/tiny/runs.ini", "0.1, 0.2", "0.1", FIGURE),
     ("recipes/tiny/figure.py", " N", " kN", FIGURE),
     ("recipes/claims/claim.py", "\n\n", "\n\nX = 1\n", FIGURE),
-    ("recipes/claims/claims.toml", "]\n", ']\nX = "1"\n', FIGURE),
+    ("recipes/claims.toml", "]\n", ']\nX = "1"\n', FIGURE),
     ("bin/prepare", "exec", ": ; exec", RUNS),  # what it writes is equal
 ]
 
@@ -239,6 +241,37 @@ def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
         stress,
     )
     assert not (tiny.root / "results").exists()
+
+
+OTHER_PAPER = """paper = { authors = "A. Author", title = "Others", journal = "J", url = "u" }
+[tiny.2A]
+says = "nothing drives the slider"
+kind = "check"
+fixed = "today"
+accepted = "at rest"
+shown = "measured where tau-bar == 0.1"
+measured.F_T = "stress.F_T"
+conditions.F_T = 0.0
+"""
+
+
+def test_another_paper_has_its_own_results_claims_and_page(tiny):
+    shutil.copytree(tiny.root / "recipes/tiny", tiny.root / "recipes/other/tiny")
+    tiny.replace("recipes/other/tiny/shipped.ini", "..", "../..")
+    tiny.write("recipes/other/claims.toml", OTHER_PAPER)
+    tiny.write("docs/claims.md")
+    assert "  other/tiny" in tiny.call("list").stdout
+    done = tiny.call("other/tiny", "--programs", "bin")
+    assert "other/2A: nothing drives the slider" in done.stdout, done.stderr
+    assert tiny.jobs()[-1] == "other/tiny" and tiny.computed() == []  # the other `tiny` is current
+    for path in (tiny.root / "results").rglob("tiny.png"):
+        path.write_bytes(png(2, 2))
+    done = tiny.call("report")
+    pages = [tiny.root / f"results/{paper}/index.html" for paper in (".", "other")]
+    first, other = (page.read_text() for page in pages)
+    assert f"0 of {len(table())} findings and checks" in first and "2A" not in first + done.stderr
+    assert "1 of 1 findings and checks" in other and 'id="result-other/2A"' in other
+    assert tiny.call("clean").returncode == 0 and not (tiny.root / "results").exists()
 
 
 NINJA = """[1/4] a: x 1

@@ -13,6 +13,7 @@ from report import readme
 from report import page as report
 from report.caption import PLACE, as_html, filled, seen
 from report.symbols import typeset
+from reproduce.recipes import paper_of, recipe_names
 from claims.judge import table
 from conftest import ROOT
 from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, results_of, spill
@@ -244,23 +245,24 @@ def names_in(path):
     return found
 
 
-@pytest.mark.parametrize("recipe", [*sorted((ROOT / "recipes").glob("*/figure.py")), "README"])
+@pytest.mark.parametrize("recipe", [*recipe_names(ROOT), "README"])
 def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recipe):
     if recipe == "README":
         text, scripts = readme.SENTENCES, [*(ROOT / "recipes").rglob("*.py")]
-        ids = {*table(), "choices", "findings", "checks", "first", "numbers"}
+        known, ids = table(), {*table(), "choices", "findings", "checks", "first", "numbers"}
     else:
-        text = (recipe.parent / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
-        scripts = [*recipe.parent.glob("*.py"), *(ROOT / "recipes/measure").rglob("*.py")]
-        ids = {claim for claim, row in table().items() if row["recipe"] == recipe.parent.name}
-        own = (path.read_text(encoding="utf-8") for path in recipe.parent.glob("*.py"))
+        folder, known = ROOT / "recipes" / recipe, table(paper_of(recipe))
+        text = (folder / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
+        scripts = [*folder.glob("*.py"), *(ROOT / "recipes/measure").rglob("*.py")]
+        ids = {claim for claim, row in known.items() if row["recipe"] == recipe}
+        own = (path.read_text(encoding="utf-8") for path in folder.glob("*.py"))
         ids |= set(re.findall(r'OwnResult\(\s*(?:id=)?"(\w+)"', "".join(own)))
     places, names = PLACE.findall(text), set().union(*map(names_in, scripts))
     assert {claim for claim, _ in places} <= ids
     for claim, quantity in places:
         quantity = " ".join(quantity.split())
-        if claim in table():
-            row = table()[claim]
+        if claim in known:
+            row = known[claim]
             shown = (
                 [""] if isinstance(row["shown"], str) else [f"{name}: " for name in row["shown"]]
             )
