@@ -257,4 +257,7 @@ def judged(claim_id, chains):
 def judge(recipe, chains):
     """All claims of a recipe."""
     rows = table(paper_of(recipe)).values()
-    return [judged(row["id"], chains) for row in rows if row["recipe"] == recipe]
+    try:
+        return [judged(row["id"], chains) for row in rows if row["recipe"] == recipe]
+    except KeyError as error:
+        raise Failure(f"a row of claims.toml needs {error}: a key, or a chain to read") from error

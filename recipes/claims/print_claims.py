@@ -48,10 +48,11 @@ def summary(claims):
     return "; ".join(texts)
 
 
-def print_claims(folder, released):
-    """Prints the claims of the recipe with these results; `released`: texts by claim."""
+def print_claims(name, results, released):
+    """Prints the claims of a recipe; `released`: texts by claim."""
+    folder = results / name
     claims, _ = read_results(folder / CLAIMS)
-    print(f"\n{folder.name}: {summary(claims) or 'no claims of its own'}\n")
+    print(f"\n{name}: {summary(claims) or 'no claims of its own'}\n")
     if claims:
         print_table(claims, released)
     for result in read_own(folder):
@@ -60,5 +61,5 @@ def print_claims(folder, released):
     if any(claim.verdict is None for claim in claims):
         print(
             "A verdict needs runs with other random numbers: ./reproduce.sh ensemble"
-            f" {folder.name} makes them once, in about an hour."
+            f" {name} makes them once, in about an hour."
         )

@@ -121,7 +121,9 @@ def contents(root, paper):
     claims = [claim for _, claim in rows]
     files = set().union(*(accounts.files_behind(name) for name in names))
     jobs, builds = accounts.jobs(files), origin.builds(root, files)
-    verdicts = (root / "docs/claims.md").read_text(encoding="utf-8")
+    verdicts = (root / "docs/claims.md").read_text(encoding="utf-8").partition("\n")[2]
+    if paper:  # what follows is about the claims of the first one
+        verdicts = verdicts.partition("## When ")[0]
     return {
         "paper": read(paper)[0],
         "recipes": recipes,
@@ -135,7 +137,7 @@ def contents(root, paper):
         "released": released(root, files),
         "movie": (results / MOVIE).exists() and MOVIE,
         "glance": glance_picture(results, claims),
-        "verdicts": as_html(verdicts.partition("\n")[2], shown),  # below its title
+        "verdicts": as_html(verdicts, shown),
         "jobs": jobs,
         "run": origin.last_run(root, jobs),
         "builds": builds,

@@ -20,7 +20,7 @@ PURPOSE = (
     f" {PROGRAM} list lists them."
 )
 COMMANDS = {
-    "all": f"all figures above except {', '.join(BESIDE_ALL)}; then the report",
+    "all": f"all figures above without a /, except {', '.join(BESIDE_ALL)}; then the report",
     "sweep": "FILE.ini: run the model for all values in the file (docs/sweeps.md)",
     "report": "write results/index.html: all figures and claims on one page",
     "list": "print this list",

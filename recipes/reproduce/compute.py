@@ -172,7 +172,7 @@ def reproduce(request, recipes, processes):
     accounts = Accounts(ROOT)
     for name in recipes:
         beside = released(ROOT, accounts.files_behind(name))
-        print_claims((RESULTS / name).resolve(), beside)
+        print_claims(name, RESULTS.resolve(), beside)
 
 
 def is_current(path):

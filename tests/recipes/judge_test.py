@@ -214,6 +214,8 @@ class TestJudge:
         row = MADE_UP["alone"] | {"measured": {"x": "y"}}
         with raises(Failure, match="claims.toml, claim alone: 'y': there is no y"):
             cases.Names(row, Made(x=1)).case()
+        with raises(Failure, match="a row of claims.toml needs 'shown'"):
+            judge.judge("fig0", {})
 
     def test_interval(self):
         assert interval(0, 20)[0] == 0

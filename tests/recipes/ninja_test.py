@@ -245,13 +245,13 @@ def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
 
 OTHER_PAPER = """paper = { authors = "A. Author", title = "Others", journal = "J", url = "u" }
 [tiny.2A]
-says = "nothing drives the slider"
+says = "the load is 1920 N"
 kind = "check"
 fixed = "today"
-accepted = "at rest"
+accepted = "exactly"
 shown = "measured where tau-bar == 0.1"
-measured.F_T = "stress.F_T"
-conditions.F_T = 0.0
+measured.F_N = "stress.F_N"
+conditions.F_N = 1920.0
 """
 
 
@@ -262,7 +262,8 @@ def test_another_paper_has_its_own_results_claims_and_page(tiny):
     tiny.write("docs/claims.md")
     assert "  other/tiny" in tiny.call("list").stdout
     done = tiny.call("other/tiny", "--programs", "bin")
-    assert "other/2A: nothing drives the slider" in done.stdout, done.stderr
+    assert "other/2A: the load is 1920 N" in done.stdout, done.stderr
+    assert "\nother/tiny: 1 reproduced" in done.stdout
     assert tiny.jobs()[-1] == "other/tiny" and tiny.computed() == []  # the other `tiny` is current
     for path in (tiny.root / "results").rglob("tiny.png"):
         path.write_bytes(png(2, 2))

@@ -19,7 +19,7 @@ from conftest import ROOT
 from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, results_of, spill
 
 FIGURES = [*(f"fig{n}" for n in range(1, 5)), *(f"figS{n}" for n in range(1, 7))]
-RECIPES = [*FIGURES, "estimate", "robustness"]
+RECIPES = [*FIGURES, *sorted({table()[claim]["recipe"] for claim in JUDGED} - {*FIGURES})]
 MEAN = "<math><mo>⟨</mo><msub><mi>t</mi><mi>R</mi></msub><mo>⟩</mo></math>"
 ITEM = "<li><strong>A</strong>: it is slow; <code>front.csv</code>: how slow.</li>"
 # What sections say: their name, and the text, which may go over several lines.

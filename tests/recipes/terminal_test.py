@@ -72,7 +72,7 @@ def test_a_case_is_no_verdict(tmp_path, capsys):
     folder = tmp_path / "fig3"
     folder.mkdir()
     write_claims(folder / "claims.json", CLAIMS)
-    print_claims(folder, {"3A": "0.4.0: reproduced, 86 of 91"})
+    print_claims("fig3", tmp_path, {"3A": "0.4.0: reproduced, 86 of 91"})
     assert capsys.readouterr().out == TEXT.format(
         folder=folder, command="./reproduce.sh ensemble fig3"
     )
