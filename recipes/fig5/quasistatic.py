@@ -71,10 +71,13 @@ def make(branches, of_seeds, results):
     keys = ("t", "tip", "driven", "stopped")
     rows = ([branch["advance"][key] for key in keys] for branch in branches)
     write_table(results / "quasistatic-branches.csv", names, rows)
-    ratios = [ratio_of(branch) for branch in of_seeds if branch["advance"]["driven"] > HARDLY]
-    of = "{} runs at h = 0"
+    ratios, of = ratios_of(of_seeds), "{} runs at h = 0"
     return [spread("c_s/speed at h = 0", None, ratios, of, shown=ratio_of(middle))]
 
 
 def ratio_of(branch):
     return branch["advance"]["c_s"] / branch["stretch"]["speed"]
+
+
+def ratios_of(branches):
+    return [ratio_of(branch) for branch in branches if branch["advance"]["driven"] > HARDLY]

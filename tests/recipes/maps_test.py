@@ -7,7 +7,7 @@ from scipy.stats import mannwhitneyu
 from conftest import approx
 from measure.rank_test import permutation, share_of_lower, van_elteren
 from measure.conventions import CONVENTIONS, PRIMARY, SETS, WAYS
-from measure import front_map
+from measure import front_map, map_order
 from measure.front_map import front_type, out_of_order
 from measure.map_order import in_each_way
 from measure.map_points import boundary_of_variants
@@ -103,6 +103,18 @@ class TestSeeds:
     def test_no_fast_place_may_be_below_left_of_an_arrested_one(self):
         fronts = {(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}
         assert out_of_order(fronts) == {(0.0, 0.0)}
+
+    def test_other_seeds_of_variants_are_on_their_maps(self, monkeypatch):
+        def point(tau_bar, kind, seed):
+            row = {"variant": "v", "tau-bar": tau_bar, "sigma-bar": "0", "numerics.seed": seed}
+            return row, {"front": {"type": kind, "under": dict.fromkeys(WAYS, {"type": kind})}}
+
+        grid = [point(str(n), kind, "1") for n, kind in enumerate(front_map.TYPES)]
+        files = grid, [point("1", "fast", "2")]
+        monkeypatch.setattr(map_order, "read_points", lambda file: files[file])
+        monkeypatch.setattr(map_order, "rows_of", list)
+        types = [map_order.main("variants", seed, 0, 1)["types"] for seed in "12"]
+        assert types == [3, 2]
 
     def test_the_worst_of_several_maps_counts_in_each_way(self):
         mixed: dict = {"types": dict.fromkeys(WAYS, "slow") | {"stencil 3": "fast"}}

@@ -3,7 +3,8 @@
 import numpy as np
 
 from conftest import approx
-from quasistatic_stretch import quasistatic_stretch
+from quasistatic import ratios_of
+from quasistatic_stretch import dynamic_events, quasistatic_stretch
 
 EVERY = 0.01  # between checkpoints [s]
 BLOCKS = 20
@@ -28,3 +29,13 @@ def test_branches_are_at_checkpoints_and_the_one_in_the_middle_is_named():
     branches = quasistatic_stretch(ruptures(0.65), EVERY)["branches"]
     assert [branch["t"] for branch in branches if branch["middle"]] == ["0.560000000"]
     assert len(branches) == 9 and branches[0]["t"] == "0.530000000"
+
+
+def test_half_of_the_blocks_are_no_dynamic_event():
+    counts = [len(dynamic_events(np.zeros(n), np.arange(n), BLOCKS)) for n in (10, 11)]
+    assert counts == [0, 1]
+
+
+def test_a_speed_counts_where_the_tip_moves_with_the_drive():
+    branches = [{"advance": {"c_s": 968, "driven": n}, "stretch": {"speed": 484}} for n in (2, 3)]
+    assert ratios_of(branches) == [2]

@@ -5,6 +5,7 @@ from pytest import fixture
 
 import decay_length
 import deviation
+import distance
 import exponential_order
 import front_speed
 import junction
@@ -148,6 +149,13 @@ def test_5B_speed_of_the_tip_and_its_advance_with_and_without_the_drive():
     assert found == {"t": 0.5455, "tip": 2, "driven": 2, "stopped": 2}  # until 0.5655
     found = quasistatic_stretch.advances(driven, ruptures(range(4)), 0.51, 0.5455)
     assert (found["driven"], found["stopped"]) == (2, 1)
+
+
+def test_a_front_that_does_not_arrest_reaches_the_end_under_the_distance_law():
+    event = {"type": "slow", "slow": {"x_from": 0.07}, "L": 0.14}
+    for x_arrest, reaches in ((None, 1), (0.07, 0.5)):
+        found = distance.measured_event(event, event | {"x_arrest": x_arrest})
+        assert found["which reaches [L]"] == reaches
 
 
 def test_4C_kinds_of_blocks():

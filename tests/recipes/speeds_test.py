@@ -1,13 +1,19 @@
 """How the recipe `speeds` measures, on made-up slip and fronts with known answers."""
 
+from types import SimpleNamespace
+
 import numpy as np
 from front_slip import exponent, slip_speed, transient
 from pytest import mark
-from slip_history import gini, slip_in_bins
 
+import rupture
+import slip_history
 from claims.own_result import compared, text_of
 from conftest import approx
+from made_up import Made
 from measure.tables import numbers
+from rupture.files import Ruptures
+from slip_history import gini, slip_in_bins
 
 
 @mark.parametrize(
@@ -23,6 +29,23 @@ def test_slip_is_binned_from_the_rupture_on():
     slip = slip_in_bins(time, np.clip(time, 0.0125, 0.0155), 0.0115)  # moves after 1 ms, for 3 ms
     assert slip == approx([0, *[1e-3] * 3, *[0] * 6], abs=1e-12)
     assert not slip_in_bins(time, -time, 0.0115).any()
+
+
+def test_a_block_is_measured_at_the_first_checkpoint_10_ms_after_its_rupture(monkeypatch):
+    class Record(dict):
+        time, x = np.array([0.0, 0.3]), [0.07]
+        ruptures = Ruptures(np.array([0.1, 0.2]), None, np.array([0, 0]), None)
+
+    def opened(path):
+        slips = Record(u_x=np.array([[0.0], [0.3]]))
+        return slips if path == "record.h5" else SimpleNamespace(time=float(path))
+
+    monkeypatch.setattr(slip_history, "CHECKPOINTS", ["0.105", "0.115", "0.125", "0.205"])
+    monkeypatch.setattr(rupture, "open", opened)
+    monkeypatch.setattr(rupture, "analyze", lambda _, path: {"mu_bar_eff": [float(path)]})
+    monkeypatch.setattr(Made, "file", lambda _, name: name, raising=False)
+    [row] = slip_history.rows_of(Made({"numerics.seed": 1}))
+    assert (row["mu_bar_eff"], row["slip after 2 ms [m]"]) == approx((0.115, 0.008))
 
 
 @mark.parametrize("us, speed", [(10, 0.25), (10.5, 1 / 3.5), (13, 0.5), (28, np.nan)])

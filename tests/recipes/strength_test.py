@@ -1,7 +1,8 @@
 """Claim 4C: slow points gather at low sigma_bar (recipes/fig4/strength.py); all made up."""
 
 from conftest import approx
-from strength import Block, largest_deviation, map_strata, on_map, over_events
+from made_up import Made
+from strength import Block, largest_deviation, map_strata, on_map, over_events, prepared_points
 
 LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}
 POINT = Block("slow", 0.5, 0.1, 0.5, "uniform")  # on its curve
@@ -44,7 +45,13 @@ class TestGathering:
 
     def test_few_events_tell_nothing(self):
         assert over_events(dict(enumerate([EVENT] * 4)))["p"] is None
+        assert over_events(dict(enumerate([EVENT] * 5)))["p"] == approx(1 / 2**5)
         assert over_events({})["median_share"] is None
+
+    def test_a_prepared_point_is_a_block_beyond_the_trigger_region(self):
+        of_block = {name: [0.0] * 9 + [0.3] * 48 for name in ("sigma_bar", "mu_bar_eff")}
+        point = {"front": {"type": "slow"}, "strength": of_block, "tau-bar": 0.1, "shape": "bell"}
+        assert prepared_points([Made(point)]) == [Block("slow", 0.3, 0.1, 0.3, "bell")]
 
     def test_the_largest_deviation_from_a_curve_may_be_below_it(self):
         low = Block("slow", 0.5, 0.1, 0.45, "uniform")
