@@ -1,14 +1,19 @@
 """What rows of claims.toml measure beside their conditions, and the friction of single blocks; all
 made up."""
 
+import re
+
 import numpy as np
 from pytest import mark
 
+from chains.chain import Chain
+from chains.expressions import Expression
 from claims.cases import Names
 from claims.judge import table
-from conftest import approx
+from conftest import ROOT, approx
 from examples import WORDS
 from made_up import Made
+from measure.fronts import middle_of
 from measure.slip import AFTER, peaks_of
 from rupture.files import Ruptures
 
@@ -40,10 +45,39 @@ def test_3C_ratios_take_the_peak_of_every_step():
     assert [*case.values()] == approx([2, 2, 400])
 
 
-def test_5A_says_where_the_front_was_when_the_driving_stopped():
-    front = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
-    text = table()["5A"]["measured"]["driving stopped at [L]"]
-    assert value("5A", text, front=front, amid=1e-3) == approx(0.2)
+LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
+SPANS = {"events": [{"t_start": t, "spanning": t > 1} for t in (1.0, 2.0, 3.0)]}
+
+
+@mark.parametrize(
+    "claim_id, quantity, reports, expected",
+    [
+        ("5A", "driving stopped at [L]", {"front": LINE, "amid": 1e-3}, 0.2),
+        ("1D", "first spanning event at [s]", {"measured": SPANS}, 2),
+    ],
+)
+def test_what_is_measured_beside_conditions(claim_id, quantity, reports, expected):
+    text = table()[claim_id]["measured"][quantity]
+    assert value(claim_id, text, **reports) == approx(expected)
+
+
+@mark.parametrize(
+    "chain, stretch", [("ensemble/continued", "event.in_words"), ("fig5/undriven", "front.slow")]
+)
+def test_the_driving_stops_in_the_middle_of_the_slow_stretch(chain, stretch):
+    text = Chain(ROOT / f"recipes/{chain}.ini").sections["values"]["amid"]
+    name, key = stretch.split(".")
+    times = {"t_from": 1.0, "t_to": 2.0}
+    assert Expression(text[1:-1], [name]).value({name: {key: times}}.__getitem__) == middle_of(
+        times
+    )
+
+
+def test_events_branch_where_the_convention_says():
+    for row in table().values():
+        for name, of in ({"branch at 0.14 L": row} | row.get("under", {})).items():
+            if found := re.search(r"branches where block == (\d+)", of.get("each", "")):
+                assert name == f"branch at {int(found[1]) / 56:.2g} L", row["id"]
 
 
 def test_peaks_count_until_shortly_after_the_first_rupture_of_the_last_block():

@@ -12,7 +12,7 @@ from pytest import fixture, mark
 
 from chains.points import Waiting
 from chains.selection import Chains
-from conftest import ROOT, run
+from conftest import ROOT, approx, run
 from reproduce.recipes import read_readme, recipe_names
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
@@ -117,6 +117,23 @@ def test_each_command_by_hand_is_one_of_a_chain(name, calls):
         program, options = call = parse(words)
         only_by_hand = " ".join([program, *options]) in ONLY_BY_HAND
         assert only_by_hand or any(matches(call, other) for other in calls), " ".join(words)
+
+
+@mark.parametrize(
+    "name, power, scaled, reference",
+    [  # what goes with a parameter that varies, at 1 of its unit
+        ("junctions.t_R", 1, "junctions.delta_t_R", 0.3),
+        ("slider.E", 2, "junctions.kappa", 39.2e9 / 3e9**2),
+        ("slider.E", -0.5, "numerics.dt", 2e-7 * 3e9**0.5),
+    ],
+)
+def test_parameters_vary_together(calls, name, power, scaled, reference):
+    of_calls = [options for _, options in calls if f"--{name}" in options]
+    found = [(of[f"--{name}"][0], of[f"--{scaled}"][0]) for of in of_calls]
+    pairs = [(float(v), float(other)) for v, other in found if "$" not in v + other]
+    assert pairs and all(
+        other == approx(reference * value**power, rel=1e-9, abs=0) for value, other in pairs
+    )
 
 
 @mark.parametrize(
