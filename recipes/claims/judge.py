@@ -53,11 +53,6 @@ def row_of(claim_id):
 # --- one case ------------------------------------------------------------------------------
 
 
-def conditions_of(claim_id):
-    """{quantity: {relation: bound, ...}, or the value that it must have}"""
-    return row_of(claim_id)["conditions"]
-
-
 def holds(claim_id, cases):
     """Whether one of the cases of a unit meets all conditions."""
     return any(not unmet(claim_id, case) for case in cases)
@@ -65,14 +60,14 @@ def holds(claim_id, cases):
 
 def unmet(claim_id, case):
     """The quantities whose conditions a case does not meet; all must have been measured."""
-    return [name for name, c in conditions_of(claim_id).items() if not met(c, case[name])]
+    return [name for name, c in row_of(claim_id)["conditions"].items() if not met(c, case[name])]
 
 
 def unmet_text(claim_id, case):
     """The same for readers: slowest is c_s/49.6, not c_s/200 to c_s/50"""
     parts = []
     for name in unmet(claim_id, case):
-        condition = conditions_of(claim_id)[name]
+        condition = row_of(claim_id)["conditions"][name]
         quantity, unit = split_unit(name.removesuffix("/c_s"))
         asked, got = f"{wanted(name, condition)} {unit}".rstrip(), as_read(name, case[name])
         if isinstance(case[name], float) and met(condition, float(f"{case[name]:.3g}")):
