@@ -172,7 +172,6 @@ def write_page(root, results, paper):
     content = contents(root, paper)
     write_whole(path, render(content))
     write_numbers(path.with_name("numbers.csv"), content["numbers"])
-    print(f"Report: {path}", flush=True)
     return content
 
 
@@ -191,6 +190,8 @@ def main(folder="."):
             main_build = next((build for build, _ in content["builds"]), "")  # of most records
             version = origin.version_of(main_build)
             update_readme(root, claims, own, content["numbers"], version)
+        for paper in papers:
+            print(f"Report: {results / paper / 'index.html'}", flush=True)
     except Failure as problem:
         sys.exit(f"report: {problem}")
     except OSError as error:
