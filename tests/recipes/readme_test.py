@@ -17,7 +17,7 @@ from fixture import spill
 
 def test_its_sentences_are_those_of_the_table_of_verdicts():
     rows = read_rows(ROOT / readme.TABLE)
-    assert [row["id"] for row in rows if row["verdict"]] == list(table())
+    assert [row["id"] for row in rows if row["kind"]] == list(table())
     [shown] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
     assert shown == readme.sentences(ROOT)
     assert "not run" not in shown and "{" not in shown

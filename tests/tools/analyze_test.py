@@ -70,7 +70,7 @@ def test_an_event_is_named_by_its_number(seven_events):
 
 
 def test_events_as_csv_have_what_the_json_has(seven_events):
-    how = "--slow-below 3 --stencils-at-ends slow"
+    how = "--slow-below 3"
     head, *rows = csv.reader(lines_of(output_of(f"analyze events r.h5 --csv {how}")))
     events = json_of(f"analyze events r.h5 --json {how}")["events"]
     assert {bool(event["slow"]) for event in events} == {False, True}
