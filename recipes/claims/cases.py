@@ -89,11 +89,17 @@ def of_unit(row, point, way, where):
     return [names] if "if" not in row or names.value(row["if"]) else None
 
 
+def run_of(point):
+    """The seed of the run that it comes from: events of one run share a history. A point without a
+    seed is a run of its own."""
+    return point["numerics.seed"] if "numerics.seed" in point.names else id(point)
+
+
 def units(row, chains, way=PRIMARY):
-    """[[Names of each case] of each unit]"""
+    """{unit: [Names of each case]}; a unit is (its number, the run that it is from)."""
     points, where = selected(row["each"], chains)
-    found = (of_unit(row, point, way, where) for point in points)
-    return [cases for cases in found if cases is not None]
+    found = {(n, run_of(one)): of_unit(row, one, way, where) for n, one in enumerate(points)}
+    return {unit: cases for unit, cases in found.items() if cases is not None}
 
 
 def conventions(row, chains):

@@ -7,6 +7,7 @@ import tomllib
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 from scipy.stats import beta
 
 from claims import cases
@@ -20,6 +21,7 @@ RECIPES = Path(__file__).parents[1]
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
+RESAMPLES = 10_000  # of runs, for the interval of a share over events
 CASES = {True: HOLDS, False: DOES_NOT_HOLD}
 
 
@@ -85,18 +87,36 @@ def interval(k, n):
     return float(low if k else 0.0), float(high if k < n else 1.0)
 
 
+def interval_of(held):
+    """90 % interval of the share of units that hold; `held`: {(number, run): whether it does}.
+    Events of one run share a history, so runs are drawn again with replacement (cluster bootstrap).
+    It is at least as wide as if all units were independent."""
+    bounds = interval(sum(held.values()), len(held))
+    counts: dict = {}  # of each run: units that hold, and units
+    for (_, run), holding in held.items():
+        k, n = counts.get(run, (0, 0))
+        counts[run] = k + holding, n + 1
+    if len(counts) == len(held):
+        return bounds
+    drawn = np.random.default_rng(0).integers(len(counts), size=(RESAMPLES, len(counts)))
+    k, n = np.array([*counts.values()])[drawn].sum(axis=1).T
+    low, high = np.quantile(k / n, (0.05, 0.95))
+    return min(bounds[0], float(low)), max(bounds[1], float(high))
+
+
 def is_one_state(row):
     """Prepared interfaces: the majority of their seeds decides."""
     return row.get("unit") == "seed"
 
 
 def share_of(row, convention, units):
-    """The share of units for which the claim holds under one convention; `units`: [case, ...] of
-    each. One without a case counts against the claim."""
-    held = [holds(row["id"], found) for found in units]
+    """The share of units for which the claim holds under one convention; `units`: {unit: [case,
+    ...]}. One without a case counts against the claim."""
+    held = {unit: holds(row["id"], found) for unit, found in units.items()}
+    count = sum(held.values())
     if is_one_state(row):
-        return Share(convention, int(2 * sum(held) > len(held)), 1, None, None)
-    return Share(convention, sum(held), len(held), *interval(sum(held), len(held)))
+        return Share(convention, int(2 * count > len(held)), 1, None, None)
+    return Share(convention, count, len(held), *interval_of(held))
 
 
 def case_of(names):
@@ -105,8 +125,9 @@ def case_of(names):
 
 
 def cases_of_units(row, chains, way=PRIMARY):
-    """[[case, ...] of each unit]"""
-    return [[*map(case_of, unit)] for unit in cases.units(row, chains, way)]
+    """{unit: [case, ...]}"""
+    found = cases.units(row, chains, way)
+    return {unit: [*map(case_of, names)] for unit, names in found.items()}
 
 
 def shares_of(row, chains, fewest=1):
@@ -127,7 +148,9 @@ def held_in_state(row, chains, accepted):
     held = {PRIMARY: accepted}
     for name, (instead, way) in cases.conventions(row, chains).items():
         if name != PRIMARY and "each" in row:
-            held[name] = any(holds(row["id"], of) for of in cases_of_units(instead, chains, way))
+            held[name] = any(
+                holds(row["id"], of) for of in cases_of_units(instead, chains, way).values()
+            )
         elif name != PRIMARY:
             first, *_ = cases.of_shown(instead, chains, way).values()
             held[name] = holds(row["id"], [case_of(first)])
@@ -191,7 +214,7 @@ def verdict_of_state(held):
 
 def counted(row, chains):
     """{what is counted: "4 of 20"}: units with a case for which a text in `counts` is true."""
-    units = cases.units(row, chains) if row.get("counts") else []
+    units = cases.units(row, chains).values() if row.get("counts") else []
 
     def is_so(names, text):
         names.given["holds"] = not unmet(row["id"], case_of(names))
@@ -208,7 +231,7 @@ def share_of_all(row, chains):
     """For "there is such an event": of all events that `among` says, how many are such."""
     parts = []
     for what, text in row.get("among", {}).items():
-        among = [n for unit in cases.units(row, chains) for n in unit if n.value(text)]
+        among = [n for unit in cases.units(row, chains).values() for n in unit if n.value(text)]
         held = sum(holds(row["id"], [case_of(names)]) for names in among)
         parts += [f"; {held} of {len(among)} {what}"] if among else []
     return "".join(parts)

@@ -55,7 +55,7 @@ def points():
 @mark.parametrize("claim_id", BY_EYE)
 def test_the_events_of_three_runs_that_meet_a_claim_are_those_counted_by_eye(claim_id, chains):
     row = judge.table()[claim_id]
-    units = cases.units(row, chains)
+    units = cases.units(row, chains).values()
     met = [n for unit in units for n in unit if judge.holds(claim_id, [judge.case_of(n)])]
     read = " ".join(BY_EYE[claim_id]).split()
     assert [f"{names.value('event.t_start'):.4f}" for names in met] == read
