@@ -1,5 +1,5 @@
-// Slip measured in a made-up history: at rest until 1 ms, 0.1 ms of fast slip at 100 mm/s, 0.2 ms
-// at rest, then slow slip at 2 mm/s until 4 ms. Slow slip behind a made-up front.
+// Slip measured in a made-up history: creep at 1 mm/s until 1 ms, 0.1 ms of fast slip at 100 mm/s,
+// 0.2 ms at rest, then slow slip at 2 mm/s until 4 ms. Slow slip behind a made-up front.
 #include "rupture/analysis/slip.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace rupture {
 namespace {
 
 constexpr double kRupture = 1e-3, kArrest = 1.1e-3, kRestart = 1.3e-3, kEnd = 4e-3;  // [s]
-constexpr double kFastSlip = 0.1, kSlowSlip = 2e-3;                                  // [m/s]
+constexpr double kCreep = 1e-3, kFastSlip = 0.1, kSlowSlip = 2e-3;                   // [m/s]
 constexpr double kInterval = 1e-5;                                                   // [s]
 constexpr double kFastWithin = 1e-3;                                                 // [s]
 
@@ -27,7 +27,8 @@ Samples made_up(double until = kEnd) {
   for (int n = 0; n * kInterval < until + kInterval / 2; ++n) {
     const double t = n * kInterval;
     s.time.push_back(t);
-    s.u_x.push_back(5e-6 + kFastSlip * (std::clamp(t, kRupture, kArrest) - kRupture) +
+    s.u_x.push_back(5e-6 + kCreep * std::min(t, kRupture) +
+                    kFastSlip * (std::clamp(t, kRupture, kArrest) - kRupture) +
                     kSlowSlip * (std::max(t, kRestart) - kRestart));
   }
   return s;
@@ -38,7 +39,7 @@ TEST(Slip, is_told_apart_into_fast_and_slow_of_which_20_to_80_percent_are_fitted
   const auto slip = measure_slip(samples.history(), kRupture, kFastWithin);
   ASSERT_TRUE(slip && slip->slow);
   EXPECT_NEAR(slip->t_arrest, kArrest, 1.01 * kInterval);
-  EXPECT_NEAR(slip->fast_slip, kFastSlip * (kArrest - kRupture), 1e-12);
+  EXPECT_NEAR(slip->fast_slip, kCreep * kRupture + kFastSlip * (kArrest - kRupture), 1e-12);
   EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart), 1e-12);
   EXPECT_NEAR(slip->t_from, kRestart + 0.2 * (kEnd - kRestart), 1.01 * kInterval);
   EXPECT_NEAR(slip->t_to, kRestart + 0.8 * (kEnd - kRestart), 1.01 * kInterval);
