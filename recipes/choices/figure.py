@@ -4,12 +4,12 @@ import textwrap
 from dataclasses import astuple, dataclass, replace
 
 import numpy as np
-from scipy.stats import binom
 
 from claims import paper
 from claims.claim import PRIMARY
-from claims.judge import interval, shares_of, table
+from claims.judge import interval_of, shares_of, table
 from claims.own_result import OwnResult, write_own
+from claims.resampling import interval_by_runs
 from measure.tables import write_table
 from measure.event_numbers import numbers_of
 from measure.fronts import is_fast_only
@@ -19,7 +19,7 @@ DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges on p
 CHOICES = (
     *("reference", "damping-half", "damping-twice", "stiffness-initial", "springs-linear"),
     *("foundation-damped", "contact-lost", "edge-springs-half", "damping-along-spring", "both"),
-    *("K-tenth", *DECAYING),
+    *("drive-lower", "drive-higher", "K-tenth", *DECAYING),
 )
 SIGMA_BARS = (0, 0.285)  # of prepared interfaces
 SETTLED = ("reference", "decaying")  # loads of the ensemble
@@ -83,26 +83,36 @@ def settled_of(choice):
     return "decaying" if choice in DECAYING else "reference"
 
 
-def median(values):
-    """With the interval that follows from the order of the values, if there are enough of them."""
-    ordered, n = sorted(values), len(values)
-    rank = int(binom.ppf(0.05, n, 0.5))
-    low, high = (ordered[rank - 1], ordered[n - rank]) if rank else (None, None)
-    least, most = np.percentile(ordered, RANGE)
-    return Found(np.median(ordered), low, high, n, least, most)
+def median(of_runs):
+    """Of the values of all runs."""
+    values = [value for of in of_runs for value in of]
+    least, most = np.percentile(values, RANGE)
+    interval = interval_by_runs(np.median, of_runs)
+    return Found(np.median(values), *interval, len(values), least, most)
 
 
-def of_spanning(events):
-    """Quantities of spanning events. One that is slow in words and nowhere below c_s/20 has no slow
-    stretch to be measured."""
+def values_of(events):
+    """{quantity: its values} of the spanning events of a run. One that is slow in words and nowhere
+    below c_s/20 has no slow stretch to be measured."""
     cases = [numbers_of(event) for event in events if event["fast_slow_fast"]]
-    k, n = len(cases), len(events)
-    values = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
-    values[FAST_ONLY] = [event["speed"] / event["c_s"] for event in events if is_fast_only(event)]
-    known = {name: [v for v in of if v is not None] for name, of in values.items()}
-    low, high = interval(k, n)
-    found = {SHARE: Found(k / n, low, high, n)} if n else {}
-    return found | {name: median(of) for name, of in known.items() if of}
+    found = {name: [case[key] for case in cases] for name, key in MEDIANS.items()}
+    found[FAST_ONLY] = [event["speed"] / event["c_s"] for event in events if is_fast_only(event)]
+    return {name: [value for value in of if value is not None] for name, of in found.items()}
+
+
+def of_spanning(runs):
+    """Quantities of spanning events; `runs`: those of each."""
+    words = {(n, m): e["fast_slow_fast"] for n, of in enumerate(runs) for m, e in enumerate(of)}
+    held = {(number, run): does for (run, number), does in words.items()}
+    found = {}
+    if held:
+        found[SHARE] = Found(np.mean([*held.values()]), *interval_of(held), len(held))
+    values = [values_of(events) for events in runs]
+    return found | {
+        name: median([of[name] for of in values])
+        for name in NUMBERS
+        if any(of[name] for of in values)
+    }
 
 
 def bands(points):
@@ -135,7 +145,7 @@ def measured(choice, chains):
         if share.convention == PRIMARY
     }
     loads = (point["measured"]["events"] for point in points["ensemble/events"])
-    return shares | of_spanning([event for of in loads for event in of if event["spanning"]])
+    return shares | of_spanning([[one for one in of if one["spanning"]] for of in loads])
 
 
 def all_measured(chains):

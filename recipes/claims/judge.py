@@ -14,6 +14,7 @@ from claims import cases
 from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, PRIMARY, REPRODUCED
 from claims.claim import Claim, Share, plural, split_unit
 from claims.conditions import as_read, met, wanted
+from claims.resampling import interval_by_runs
 from reproduce.recipes import paper_of
 from rupture.errors import Failure
 
@@ -21,7 +22,6 @@ RECIPES = Path(__file__).parents[1]
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
-RESAMPLES = 10_000  # of runs, for the interval of a share over events
 CASES = {True: HOLDS, False: DOES_NOT_HOLD}
 
 
@@ -89,19 +89,15 @@ def interval(k, n):
 
 def interval_of(held):
     """90 % interval of the share of units that hold; `held`: {(number, run): whether it does}.
-    Events of one run share a history, so runs are drawn again with replacement (cluster bootstrap).
-    It is at least as wide as if all units were independent."""
+    Events of one run are not independent. It is at least as wide as if they were."""
     bounds = interval(sum(held.values()), len(held))
-    counts: dict = {}  # of each run: units that hold, and units
+    of_runs: dict = {}
     for (_, run), holding in held.items():
-        k, n = counts.get(run, (0, 0))
-        counts[run] = k + holding, n + 1
-    if len(counts) == len(held):
+        of_runs.setdefault(run, []).append(holding)
+    if len(of_runs) in (1, len(held)):
         return bounds
-    drawn = np.random.default_rng(0).integers(len(counts), size=(RESAMPLES, len(counts)))
-    k, n = np.array([*counts.values()])[drawn].sum(axis=1).T
-    low, high = np.quantile(k / n, (0.05, 0.95))
-    return min(bounds[0], float(low)), max(bounds[1], float(high))
+    low, high = interval_by_runs(np.mean, of_runs.values())
+    return min(bounds[0], low), max(bounds[1], high)
 
 
 def is_one_state(row):

@@ -17,7 +17,8 @@ import strength
 import symmetry
 from claims.cases import Names
 from claims.judge import table
-from conftest import approx
+from chains.script import module_at
+from conftest import ROOT, approx
 from made_up import Made
 from measure.conventions import PRIMARY
 from measure.rank_test import signed_rank
@@ -194,3 +195,21 @@ def test_3D_length_the_shown_profile_is_a_median(monkeypatch):
     monkeypatch.setattr(decay_length, "METHODS", {PRIMARY: lambda excess: excess[1]})
     shape = decay_length.of_front({"x": [0.0, 0.5]}, [], [])
     assert shape["excess"] == [1, 0.2] and shape["l_0"] == {PRIMARY: 0.1}
+
+
+def test_choices_compare_medians_by_drawing_runs_again():
+    """Of runs with the values 1, 2 and 3: both are the first in a quarter of the draws, with the
+    median 1.5, both are the second in another."""
+    choices = module_at(ROOT / "recipes/choices/figure.py")
+    kept = {"fast_slow_fast": True, "type": "slow", "c_s": 1.0, "L": 1.0}
+    events = [kept | {"slow": {"slowest": v}} for v in (1.0, 2.0, 3.0)]
+    fast = kept | {"fast_slow_fast": False, "type": "fast", "speed": 7.0, "slow": None}
+    found = choices.of_spanning([events[:2], [events[2], fast], []])
+    slowest, share = found["slowest/c_s"], found[choices.SHARE]
+    assert (slowest.value, slowest.low, slowest.high, slowest.n) == (2.0, 1.5, 3.0, 3)
+    assert (share.value, share.n) == (0.75, 4)
+    alone = found[choices.FAST_ONLY]
+    assert (alone.value, alone.low) == (7.0, None)
+    assert slowest.beside(choices.Found(1.2, 1.0, 1.4)).moved == "up"
+    assert slowest.beside(choices.Found(1.2, 1.0, 1.5)).moved == ""
+    assert slowest.beside(choices.Found(4.0, 3.1, 5.0)).moved == "down"
