@@ -57,8 +57,8 @@ class TestClaim:
             without = {
                 s: {"way": {"slow": x, "fast": 0.2}} for s, x in ((0.1, 0.101), (0.2, 0.0995))
             }
-            found = edge.largest(with_slip, without, "way")
-            assert found == approx({"difference": expected, "change": 0.2 - min(last, 0.1)})
+            of = [edge.largest(with_slip, without, "way", kind) for kind in ("slow", "fast")]
+            assert of == approx([expected, 0.2 - min(last, 0.1)])
 
 
 class TestLattice:
