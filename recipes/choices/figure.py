@@ -87,8 +87,8 @@ def median(of_runs):
     """Of the values of all runs."""
     values = [value for of in of_runs for value in of]
     least, most = np.percentile(values, RANGE)
-    interval = interval_by_runs(np.median, of_runs)
-    return Found(np.median(values), *interval, len(values), least, most)
+    low, high = interval_by_runs(np.median, of_runs)
+    return Found(np.median(values), low, high, len(values), least, most)
 
 
 def values_of(events):
@@ -106,7 +106,8 @@ def of_spanning(runs):
     held = {(number, run): does for (run, number), does in words.items()}
     found = {}
     if held:
-        found[SHARE] = Found(np.mean([*held.values()]), *interval_of(held), len(held))
+        low, high = interval_of(held)
+        found[SHARE] = Found(np.mean([*held.values()]), low, high, len(held))
     values = [values_of(events) for events in runs]
     return found | {
         name: median([of[name] for of in values])

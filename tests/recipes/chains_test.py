@@ -12,6 +12,8 @@ from pytest import fixture, mark
 
 from chains.points import Waiting
 from chains.selection import Chains
+from claims.cases import of_selection
+from claims.judge import table
 from conftest import ROOT, approx, run
 from reproduce.recipes import read_readme, recipe_names
 
@@ -134,6 +136,35 @@ def test_parameters_vary_together(calls, name, power, scaled, reference):
     assert pairs and all(
         other == approx(reference * value**power, rel=1e-9, abs=0) for value, other in pairs
     )
+
+
+WHERE_AND_HOW_LONG = (*UNSAID, "--for", "--skip-below-x")  # may differ from event to event
+
+
+def options_of(recipe, selection):
+    """{command: its calls} of the chain that a row of claims.toml names."""
+    name = of_selection(selection)["chain"]
+    path = ROOT / "recipes" / (name if "/" in name else f"{recipe}/{name}")
+    lines = Chains().load(path.with_suffix(".ini")).commands.items()
+    calls = {n: [*map(parse, calls_in(re.sub(r"\{[^{}]*\}", "$", line)))] for n, line in lines}
+    return {
+        name: [
+            [of, {k: v for k, v in given.items() if k not in WHERE_AND_HOW_LONG}]
+            for of, given in of_name
+        ]
+        for name, of_name in calls.items()
+    }
+
+
+@mark.parametrize("claim_id", [name for name, row in table().items() if "each" in row])
+def test_what_is_shown_is_computed_as_what_is_judged(claim_id):
+    row = table()[claim_id]
+    shown = row["shown"] if isinstance(row["shown"], dict) else {"": row["shown"]}
+    judged = options_of(row["recipe"], row["each"])
+    for selection in shown.values():
+        of_shown = options_of(row["recipe"], selection)
+        for name in of_shown.keys() & judged.keys():
+            assert of_shown[name] == judged[name], (selection, name)
 
 
 @mark.parametrize(
