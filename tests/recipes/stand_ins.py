@@ -82,8 +82,8 @@ class Project:
         self.write(name, text.replace(old, new, 1))
 
     def stored(self, ending):
-        """Files of points."""
-        return sorted((self.root / "results/data/points").glob(f"*{ending}"))
+        """Files of points, without those that are being written."""
+        return sorted((self.root / "results/data/points").glob(f"[!.]*{ending}"))
 
     def calls(self):
         """What stand-ins have written of themselves."""
