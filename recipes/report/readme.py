@@ -44,7 +44,7 @@ def write_tables(root, claims, own, numbers, version):
     """Writes the tables: of claims and own results, and of the paper's numbers. An own result that
     `all` leaves out keeps its row."""
     names = ["id", "kind", "fixed", "verdict", "holds", "units", "version", "numbers"]
-    ours = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["verdict"]}
+    ours = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["kind"]}
     ours |= {result.id: row_of(result, version) for result in own}
     named = [row for name, row in ours.items() if name in dict(PLACES)]
     write_table(root / TABLE, names, [*(row_of(claim, version) for claim in claims), *named])

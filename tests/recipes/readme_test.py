@@ -54,7 +54,9 @@ def test_numbers_of_shown_events_are_those_that_the_programs_compute(event, fold
 
 VERDICTS = (
     "id,kind,fixed,verdict,holds,units,version,numbers\n"
-    "1D,finding,today,depends,1,2,0,{}\nchoices,,,,,,0,{}\n"
+    "1D,finding,today,depends,1,2,0,{}\n"
+    "2A,finding,today,,,,,{}\n"  # it waited for its runs
+    "choices,,,,,,0,{}\n"
 )
 
 
