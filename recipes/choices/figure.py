@@ -102,12 +102,11 @@ def values_of(events):
 
 def of_spanning(runs):
     """Quantities of spanning events; `runs`: those of each."""
-    words = {(n, m): e["fast_slow_fast"] for n, of in enumerate(runs) for m, e in enumerate(of)}
-    held = {(number, run): does for (run, number), does in words.items()}
+    words = [[event["fast_slow_fast"] for event in events] for events in runs]
     found = {}
-    if held:
-        low, high = interval_of(held)
-        found[SHARE] = Found(np.mean([*held.values()]), low, high, len(held))
+    if n := sum(map(len, words)):
+        low, high = interval_of(words)
+        found[SHARE] = Found(sum(map(sum, words)) / n, low, high, n)
     values = [values_of(events) for events in runs]
     return found | {
         name: median([of[name] for of in values])

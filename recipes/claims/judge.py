@@ -87,16 +87,15 @@ def interval(k, n):
     return float(low if k else 0.0), float(high if k < n else 1.0)
 
 
-def interval_of(held):
-    """90 % interval of the share of units that hold; `held`: {(number, run): whether it does}.
+def interval_of(of_runs):
+    """90 % interval of the share of units that hold; of each run, whether each of its units does.
     Events of one run are not independent. It is at least as wide as if they were."""
-    bounds = interval(sum(held.values()), len(held))
-    of_runs: dict = {}
-    for (_, run), holding in held.items():
-        of_runs.setdefault(run, []).append(holding)
-    if len(of_runs) in (1, len(held)):
+    of_runs = [held for held in of_runs if held]
+    units = sum(map(len, of_runs))
+    bounds = interval(sum(map(sum, of_runs)), units)
+    if len(of_runs) in (1, units):
         return bounds
-    low, high = interval_by_runs(np.mean, of_runs.values())
+    low, high = interval_by_runs(np.mean, of_runs)
     return min(bounds[0], low), max(bounds[1], high)
 
 
@@ -108,11 +107,13 @@ def is_one_state(row):
 def share_of(row, convention, units):
     """The share of units for which the claim holds under one convention; `units`: {unit: [case,
     ...]}. One without a case counts against the claim."""
-    held = {unit: holds(row["id"], found) for unit, found in units.items()}
-    count = sum(held.values())
+    of_runs: dict = {}
+    for (_, run), found in units.items():
+        of_runs.setdefault(run, []).append(holds(row["id"], found))
+    count = sum(map(sum, of_runs.values()))
     if is_one_state(row):
-        return Share(convention, int(2 * count > len(held)), 1, None, None)
-    return Share(convention, count, len(held), *interval_of(held))
+        return Share(convention, int(2 * count > len(units)), 1, None, None)
+    return Share(convention, count, len(units), *interval_of(of_runs.values()))
 
 
 def case_of(names):

@@ -43,10 +43,11 @@ std::vector<double> speeds(const Front& front, std::size_t from, std::size_t to)
   return values;
 }
 
-/// The centre of a stencil beyond the loading zone that is slow and runs forwards.
-bool is_slow(const Front& front, std::size_t i, double limit) {
-  const double v = front.v_c[i].value_or(0.0);
-  return front.line.x[i] > front.criteria.skip_below_x && v > 0.0 && v < limit;
+/// Whether the stencil around block i is beyond the loading zone, with v_c in an open interval
+/// [m/s].
+bool is_between(double from, double to, const Front& front, std::size_t i) {
+  const auto& v = front.v_c[i];
+  return front.line.x[i] > front.criteria.skip_below_x && v && *v > from && *v < to;
 }
 
 /// Centres of slow stencils, in order.
@@ -68,7 +69,7 @@ bool goes_on(const Front& front, std::size_t last, std::size_t i) {
 std::vector<Stretch> slow_stretches(const Front& front, double limit) {
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    if (!is_slow(front, i, limit)) continue;
+    if (!is_between(0.0, limit, front, i)) continue;
     if (stretches.empty() || !goes_on(front, stretches.back().back(), i)) stretches.push_back({});
     stretches.back().push_back(i);
   }
@@ -114,8 +115,7 @@ std::optional<SlowStretch> longest(const Front& front, double limit) {
 std::size_t stencils_between(double from, double to, const Front& front) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < front.v_c.size(); ++i) {
-    const auto& v = front.v_c[i];
-    if (front.line.x[i] > front.criteria.skip_below_x && v && *v > from && *v < to) ++found;
+    if (is_between(from, to, front, i)) ++found;
   }
   return found;
 }
