@@ -26,14 +26,13 @@ std::size_t first_reaching(const SlipHistory& h, std::size_t from, double u) {
   return n;
 }
 
-std::optional<std::size_t> arrest(const SlipHistory& h, double t_rupture, double fast_within) {
-  std::size_t fastest = index_at(h.time, t_rupture);
-  for (std::size_t n = fastest; n + 1 < h.time.size() && h.time[n] <= t_rupture + fast_within;
-       ++n) {
-    if (speed_after(h, n) > speed_after(h, fastest)) fastest = n;
-  }
-  for (std::size_t n = fastest; n + 1 < h.time.size(); ++n) {
-    if (speed_after(h, n) <= 0.0) return n;
+/// First sample after t_rupture at which a block that has moved forwards stops.
+std::optional<std::size_t> arrest(const SlipHistory& h, double t_rupture) {
+  bool moved = false;
+  for (std::size_t n = index_at(h.time, t_rupture); n + 1 < h.time.size(); ++n) {
+    const bool moves = speed_after(h, n) > 0.0;
+    if (moved && !moves) return n;
+    moved = moves;
   }
   return std::nullopt;
 }
@@ -56,19 +55,22 @@ std::optional<LineFit> fit(const SlipHistory& h, const FittedPart& part) {
 
 }  // namespace
 
-std::optional<SlipMeasure> measure_slip(const SlipHistory& h, double t_rupture,
-                                        double fast_within) {
-  const auto stop = arrest(h, t_rupture, fast_within);
+std::optional<SlipMeasure> measure_slip(const SlipHistory& h, double t_rupture, double fast_above) {
+  const auto stop = arrest(h, t_rupture);
   if (!stop) return std::nullopt;
   SlipMeasure m{};
   const double u_arrest = h.u_x[*stop];
   m.t_arrest = h.time[*stop];
   m.fast_slip = u_arrest - h.u_x.front();
-  m.slow_slip = h.u_x.back() - u_arrest;
-  const FittedPart part = fitted_part(h, *stop);
+  std::size_t last = *stop;
+  while (last + 1 < h.time.size() && speed_after(h, last) <= fast_above) ++last;
+  m.t_end = h.time[last];
+  m.slow_slip = h.u_x[last] - u_arrest;
+  const SlipHistory until = {h.time.first(last + 1), h.u_x.first(last + 1)};
+  const FittedPart part = fitted_part(until, *stop);
   m.t_from = h.time[part.from];
   m.t_to = h.time[part.to];
-  m.slow = fit(h, part);
+  m.slow = fit(until, part);
   return m;
 }
 

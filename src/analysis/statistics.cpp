@@ -35,6 +35,7 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
   fit.r_squared = yy > 0.0 ? 1.0 - unexplained / yy : 1.0;
   const double variance = unexplained / static_cast<double>(n - 2);  // of one y about the line
   fit.slope_error = std::sqrt(variance / xx);
+  fit.rms = std::sqrt(unexplained / static_cast<double>(n));
   return fit;
 }
 

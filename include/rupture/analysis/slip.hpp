@@ -14,19 +14,19 @@ struct SlipHistory {
 };
 
 struct SlipMeasure {
-  double t_arrest = 0;   ///< end of fast slip: first sample after the fastest at which the block
-                         ///< does not move forwards [s]
+  double t_arrest = 0;   ///< end of fast slip: first sample after the rupture at which the block
+                         ///< has moved forwards and stops [s]
   double fast_slip = 0;  ///< displacement from the first sample until t_arrest [m]
-  double slow_slip = 0;  ///< displacement from t_arrest to the last sample [m]
+  double t_end = 0;      ///< when the block next slips fast, or the last sample [s]
+  double slow_slip = 0;  ///< displacement from t_arrest to t_end [m]
   double t_from = 0, t_to = 0;  ///< when 20 % and 80 % of the slow slip had happened [s]
   std::optional<LineFit> slow;  ///< straight line through the slip in [t_from, t_to]; slope [m/s]
 };
 
-/// Measures the slip after the block's rupture at t_rupture. The fastest slip is sought within
-/// `fast_within` [s] of it (half the mean slipping time, say). No value if the block does not stop
-/// before the last sample.
+/// Measures the slip after the block's rupture at t_rupture. Once stopped, the block slips slowly
+/// until it is faster than `fast_above` [m/s]. No value if it does not stop before the last sample.
 std::optional<SlipMeasure> measure_slip(const SlipHistory& history, double t_rupture,
-                                        double fast_within);
+                                        double fast_above);
 
 /// The stretch of time in which a block slips slowly while the front ahead of it is slow [s].
 struct SlowSlipTime {

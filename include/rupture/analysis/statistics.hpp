@@ -16,6 +16,7 @@ struct LineFit {
   double slope;
   double r_squared;    ///< coefficient of determination
   double slope_error;  ///< standard error of the slope
+  double rms;          ///< root mean square distance of the values from the line
 };
 
 /// Needs at least three points with different x; otherwise no value.

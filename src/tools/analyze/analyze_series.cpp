@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
 #include "rupture/analysis/slip.hpp"
+#include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -34,8 +36,18 @@ std::string slip_text(double x, const std::optional<double>& t_rupture,
                     measure->t_to, measure->slow->r_squared);
 }
 
+/// `factor` times Eq. S1 with p at the rupture [m/s]. Without slow slip to expect, the next fast
+/// slip cannot be told.
+double fast_above(const Record& record, Eigen::Index block, double t_rupture, double factor) {
+  const auto sample = std::ranges::lower_bound(record.time, t_rupture) - record.time.begin();
+  const auto last = std::ssize(record.time) - 1;
+  const double p = record.p(std::min(sample, last), block);
+  const double estimate = slow_slip_estimate(record.parameters, p);
+  return estimate > 0.0 ? factor * estimate : std::numeric_limits<double>::infinity();
+}
+
 /// The slip of one block in the window.
-Report slip_of(const RecordCommand& command, Eigen::Index block) {
+Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fast) {
   const Record& record = command.record;
   const Parameters& p = record.parameters;
   const auto i = static_cast<std::size_t>(block);
@@ -49,7 +61,10 @@ Report slip_of(const RecordCommand& command, Eigen::Index block) {
     slip.push_back(u_x.back() - u_x.front());
   }
   std::optional<SlipMeasure> measure;
-  if (t_rupture && time.size() > 2) measure = measure_slip({time, u_x}, *t_rupture, 0.5 * p.t_R);
+  if (t_rupture && time.size() > 2) {
+    measure =
+        measure_slip({time, u_x}, *t_rupture, fast_above(record, block, *t_rupture, next_fast));
+  }
   const auto measured = [&](double SlipMeasure::*member) {
     return measure ? std::optional((*measure).*member) : std::nullopt;
   };
@@ -62,12 +77,16 @@ Report slip_of(const RecordCommand& command, Eigen::Index block) {
       {"t_arrest", "s", "time at which the block first stops after its rupture",
        measured(&SlipMeasure::t_arrest)},
       {"fast_slip", "m", "slip until the block first stops", measured(&SlipMeasure::fast_slip)},
-      {"slow_slip", "m", "slip after that", measured(&SlipMeasure::slow_slip)},
+      {"slow_slip", "m", "slip after that, until the block next slips fast",
+       measured(&SlipMeasure::slow_slip)},
+      {"slow_end", "s", "time at which the block next slips fast, or end of the window",
+       measured(&SlipMeasure::t_end)},
       {"slow_from", "s", "start of the fit of the slow slip", measured(&SlipMeasure::t_from)},
       {"slow_to", "s", "end of the fit of the slow slip", measured(&SlipMeasure::t_to)},
       {"slow_speed", "m/s", "speed of the slow slip", fitted(&LineFit::slope)},
       {"slow_speed_error", "m/s", "standard error of that speed", fitted(&LineFit::slope_error)},
       {"slow_r_squared", "1", "R^2 of the fit", fitted(&LineFit::r_squared)},
+      {"slow_rms", "m", "root mean square distance from the fit", fitted(&LineFit::rms)},
       {"time", "s", "time of each sample", time, Csv::yes},
       {"slip", "m", "slip since the start of the window, at each sample", slip, Csv::yes},
   };
@@ -114,19 +133,23 @@ constinit const Command slip_command = {
     "record",
     "fast and slow slip of one block in a record",
     "Slip of one block: displacement since the start of the window, split into the fast\n"
-    "slip until the block first stops and the slow slip that follows.",
+    "slip until the block first stops and the slow slip until it next slips fast.",
     {add_format_options,
      [](po::options_description& options) {
        options.add_options()("x", number("X", "m")->required(),
                              "position of the block; the nearest block is used");
+       options.add_options()("next-fast", number("W")->default_value(10.0, "10"),
+                             "slow slip ends when the block moves faster than W times Eq. S1");
      },
      add_window_options},
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);
       const double x = non_negative(parsed.values, "x");
-      return print(slip_of(command, block_at(command.record.parameters, x)), parsed.values);
+      const Eigen::Index block = block_at(command.record.parameters, x);
+      return print(slip_of(command, block, non_negative(parsed.values, "next-fast")),
+                   parsed.values);
     },
-    [] { return slip_of({}, 0).rows; }};
+    [] { return slip_of({}, 0, 0.0).rows; }};
 
 constinit const Command loading_command = {
     "analyze loading RECORD",

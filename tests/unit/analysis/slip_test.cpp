@@ -15,7 +15,7 @@ namespace {
 constexpr double kRupture = 1e-3, kArrest = 1.1e-3, kRestart = 1.3e-3, kEnd = 4e-3;  // [s]
 constexpr double kCreep = 1e-3, kFastSlip = 0.1, kSlowSlip = 2e-3;                   // [m/s]
 constexpr double kInterval = 1e-5;                                                   // [s]
-constexpr double kFastWithin = 1e-3;                                                 // [s]
+constexpr double kNextFast = 20e-3;                                                  // [m/s]
 
 struct Samples {
   std::vector<double> time, u_x;
@@ -36,7 +36,7 @@ Samples made_up(double until = kEnd) {
 
 TEST(Slip, is_told_apart_into_fast_and_slow_of_which_20_to_80_percent_are_fitted) {
   const Samples samples = made_up();
-  const auto slip = measure_slip(samples.history(), kRupture, kFastWithin);
+  const auto slip = measure_slip(samples.history(), kRupture, kNextFast);
   ASSERT_TRUE(slip && slip->slow);
   EXPECT_NEAR(slip->t_arrest, kArrest, 1.01 * kInterval);
   EXPECT_NEAR(slip->fast_slip, kCreep * kRupture + kFastSlip * (kArrest - kRupture), 1e-12);
@@ -49,18 +49,33 @@ TEST(Slip, is_told_apart_into_fast_and_slow_of_which_20_to_80_percent_are_fitted
 
 TEST(Slip, needs_an_arrest_after_a_rupture_that_was_sampled) {
   const Samples samples = made_up(), moving = made_up(kArrest - 2 * kInterval);
-  EXPECT_FALSE(measure_slip(moving.history(), kRupture, kFastWithin)) << "ends before the arrest";
-  // Sought within 20 us from 2 ms on, the fastest slip is the slow one, which never stops.
-  EXPECT_FALSE(measure_slip(samples.history(), 2e-3, 2e-5));
-  EXPECT_FALSE(measure_slip(samples.history(), 1.0, kFastWithin)) << "after the last sample";
+  EXPECT_FALSE(measure_slip(moving.history(), kRupture, kNextFast)) << "ends before the arrest";
+  EXPECT_FALSE(measure_slip(samples.history(), 2e-3, kNextFast)) << "slow slip that never stops";
+  EXPECT_FALSE(measure_slip(samples.history(), 1.0, kNextFast)) << "after the last sample";
 }
 
 TEST(Slip, of_a_block_that_stays_arrested_has_no_slow_part) {
   const Samples samples = made_up(kRestart - kInterval);
-  const auto slip = measure_slip(samples.history(), kRupture, kFastWithin);
+  const auto slip = measure_slip(samples.history(), kRupture, kNextFast);
   ASSERT_TRUE(slip);
   EXPECT_NEAR(slip->slow_slip, 0.0, 1e-18);
   EXPECT_FALSE(slip->slow) << "nothing to fit";
+}
+
+TEST(Slip, is_slow_until_the_block_next_slips_fast) {
+  for (const double again : {1.05 * kNextFast, 0.95 * kNextFast}) {
+    Samples samples = made_up();
+    for (int n = 0; n < 50; ++n) {
+      samples.time.push_back(samples.time.back() + kInterval);
+      samples.u_x.push_back(samples.u_x.back() + again * kInterval);
+    }
+    const auto slip = measure_slip(samples.history(), kRupture, kNextFast);
+    ASSERT_TRUE(slip);
+    const bool ends = again > kNextFast;
+    const double later = ends ? 0.0 : 50 * kInterval;
+    EXPECT_NEAR(slip->t_end, kEnd + later, 1e-9) << again;
+    EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart) + again * later, 1e-12) << again;
+  }
 }
 
 TEST(SlowSlip, is_fitted_between_20_and_80_percent_of_what_happens_in_its_time) {

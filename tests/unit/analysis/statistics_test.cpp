@@ -38,6 +38,7 @@ TEST(FitLine, tells_how_well_it_fits) {
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->slope, 1.4, 1e-14);
   EXPECT_NEAR(fit->r_squared, 1.0 - 0.8 / 10.6, 1e-14);
+  EXPECT_NEAR(fit->rms, std::sqrt(0.8 / 4.0), 1e-14);
   EXPECT_NEAR(fit->slope_error, std::sqrt(0.8 / 2.0 / 5.0), 1e-14);
 }
 
