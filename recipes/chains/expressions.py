@@ -39,7 +39,7 @@ FUNCTIONS = {
     "known": lambda values: [value for value in values if value is not None],
     "len": len,
     "max": lambda *values: extreme(max, *values),
-    "median": lambda values: extreme(statistics.median, values) if values else None,
+    "median": lambda values: extreme(statistics.median, values),
     "min": lambda *values: extreme(min, *values),
     "round": round,
     "sqrt": math.sqrt,
@@ -242,8 +242,9 @@ def of_known(function, *values):
 
 
 def extreme(which, *values):
-    """Of a list, or of several numbers."""
-    return of_known(lambda *numbers: which(numbers), *(values[0] if len(values) == 1 else values))
+    """Of a list, or of several numbers; null if there are none."""
+    numbers = values[0] if len(values) == 1 else values
+    return of_known(lambda *known: which(known), *numbers) if numbers else None
 
 
 def arithmetic(sign, *values):

@@ -5,6 +5,7 @@ from operator import itemgetter
 
 import alternation
 import numpy as np
+import precursors
 
 from claims.own_result import OwnResult, write_own
 from measure.records import values
@@ -78,10 +79,13 @@ def kinds_counted(loads):
 
 def make(chains, results):
     loads: dict[str, dict] = {setting: {} for setting in NAMES}
-    for load, events in events_of([*chains["events"], *chains["shown_events"]]).items():
+    all_events = events_of([*chains["events"], *chains["shown_events"]])
+    for load, events in all_events.items():
         loads[load.rsplit("-", 1)[0]][load] = spanning_events(events)
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
+    reference = [all_events[load] for load in loads["load"]]
+    precursors.draw(reference, results / "precursors")
     events = (
         event | {"load": load, "kind": kind}
         for load, pairs in chain(*(of.items() for of in loads.values()))
@@ -89,5 +93,6 @@ def make(chains, results):
     )
     columns = {name: itemgetter(name) for name in ("load", "type", "kind")}
     write_events(results / "events.csv", events, columns)
-    write_own(results, [kinds_counted(loads), alternation.own_result(loads["load"])])
+    own = [alternation.own_result(loads["load"]), precursors.own_result(reference)]
+    write_own(results, [kinds_counted(loads), *own])
     return []

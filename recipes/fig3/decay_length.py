@@ -12,6 +12,10 @@ reports what of_front() says of one front over a prepared interface, and
     lengths = script decay_length.py median {all l_0 where numerics.seed == seed}
 
 the median of several, all of the same weight; by each method ("under").
+
+    by_stiffness = script decay_length.py stiffness {all l_0_stiffness where numerics.seed == seed}
+
+tells whether it increases with k/k_i.
 """
 
 import math
@@ -23,6 +27,7 @@ from chains.results import read_points
 from measure.conventions import PRIMARY
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
+KAPPA = 39.2e9  # of the reference [N/m^2]
 FITTED = (0, 3)  # blocks ahead of the tip, in the primary method
 
 
@@ -136,7 +141,37 @@ def of_fronts(found):
     }
 
 
+def step_and_exponent(ratios, lengths):
+    """The least change of l_0 [m] from each to the next, and the exponent of a power law."""
+    known = [(ratio, length) for ratio, length in zip(ratios, lengths) if length is not None]
+    if len(known) < 2:
+        return {"fronts": len(known), "least_step": None, "exponent": None}
+    ratios, lengths = np.array(known).T
+    exponent = np.polyfit(np.log(ratios), np.log(lengths), 1)[0]
+    return {
+        "fronts": len(known),
+        "least_step": float(np.diff(lengths).min()),
+        "exponent": float(exponent),
+    }
+
+
+def by_stiffness(points):
+    """`points`: of fronts, whose kappa varies. k_i = N_s sqrt(kappa f_N): k/k_i over the
+    reference's is sqrt(KAPPA/kappa)."""
+    ordered = sorted(points, key=lambda point: -point["junctions.kappa"])
+    ratios = [math.sqrt(KAPPA / point["junctions.kappa"]) for point in ordered]
+    of_methods = {name: [point["l_0"]["l_0"][name] for point in ordered] for name in METHODS}
+    steps = {name: step_and_exponent(ratios, of) for name, of in of_methods.items()}
+    return (
+        {"ratios": ratios, "l_0": of_methods[PRIMARY]}
+        | steps.pop(PRIMARY)
+        | {"under": {name: of | {"l_0": of_methods[name]} for name, of in steps.items()}}
+    )
+
+
 def main(first, points=None):
+    if first == "stiffness":
+        return by_stiffness(read_points(points))
     if points:
         return of_fronts([point["l_0"] for point in read_points(points)])
     front, record = rupture.analyze("front", first), rupture.open(first)

@@ -35,8 +35,9 @@ def draw_maps(fig, axes, event, t_zero, window):
 def draw_slip(axes, slips, t_zero):
     for run, (label, colour, style) in SLIPS.items():
         slip = slips[run]
-        time = (np.array(slip["time"]) - t_zero) * 1e3
-        u = np.array(slip["slip"]) * 1e6
+        shown = np.array(slip["time"]) <= slip["slow_end"]
+        time = (np.array(slip["time"])[shown] - t_zero) * 1e3
+        u = np.array(slip["slip"])[shown] * 1e6
         axes.plot(time, u, style, color=colour, label=label)
         axes.plot(time[-1], u[-1], "o", color=colour)
         fitted = np.array([slip["slow_from"], slip["slow_to"]])
@@ -44,7 +45,7 @@ def draw_slip(axes, slips, t_zero):
         line = start + slip["slow_speed"] * (fitted - fitted[0])
         axes.plot((fitted - t_zero) * 1e3, line * 1e6 + 0.15, color=BLUE, linewidth=0.7)
     axes.plot([], [], color=BLUE, linewidth=0.7, label="slow slip, fitted")
-    highest = max(max(slip["slip"]) for slip in slips.values())
+    highest = max(slip["fast_slip"] + slip["slow_slip"] for slip in slips.values())
     fastest = [0, highest / paper.FAST_SLIP_SPEED * 1e3]
     label = f"{paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s: experiment\n(paper's ref. 20)"
     axes.plot(fastest, [0, highest * 1e6], label=label, **OF_PAPER)
@@ -52,8 +53,7 @@ def draw_slip(axes, slips, t_zero):
 
 
 def slips_of(event, report="slip"):
-    """Of a block, while the front is slow or until it has arrived: later, the whole slider moves.
-    `own_slip`: of the block 0.06 L before the event's own transition."""
+    """Of a block; `own_slip`: of that 0.06 L before the event's own transition."""
     return {run: event[f"{report}_{name}"] for run, name in RUNS.items()}
 
 
@@ -92,7 +92,12 @@ def numbers_of(events, peaks):
     of_slip = {name: event["slip_stopped"] for name, event in events.items()}
     return [
         *(
-            Number(f"peak slip speed, {name} [mm/s]", None, peak * 1e3, note=OF_REF_20)
+            Number(
+                f"peak slip speed as the front passes, {name} [mm/s]",
+                None,
+                peak * 1e3,
+                note=OF_REF_20,
+            )
             for name, peak in peaks.items()
         ),
         *(

@@ -1,13 +1,16 @@
-"""The strength of blocks, and whether those that a slow front passes have a low sigma_bar, as the
-script of two chains:
+"""The strength of blocks, and whether those that a slow front passes have a low sigma_bar or a low
+prestress, as the script of two chains:
 
     deviation   = script strength.py deviation {all strength} {all strength_curves}
+    shown       = script strength.py shown {all ../fig2/event} {all strength_curves}
     on_map      = script strength.py on_map {seed} {all map} {all map_between} {all map_boundary}
     over_events = script strength.py over_events {all ../ensemble/continued}
 
-`deviation`: the largest one of prepared points from the curves. `on_map`: p of a rank test over the
-grid points of Figure 4 D with the fronts of a seed. `over_events`: p over the events, each of which
-gives one share. Either p in each way ("under").
+`deviation`: the largest one of prepared points from the curves. `shown`: the share of all blocks of
+events I and II that lie near a curve. `on_map` and `over_events`: in which share of pairs of a slow
+and a fast place the slow one has the lower sigma_bar, over the grid points of Figure 4 D with the
+fronts of a seed, and over the blocks of an event (the median event, in each way, "under"; also the
+share with the lower tau_0/p).
 """
 
 from collections import namedtuple
@@ -15,17 +18,16 @@ from collections import namedtuple
 import numpy as np
 
 from chains.results import read_points
-from measure.rank_test import permutation, share_of_lower, signed_rank, van_elteren
+from measure.pairs import share_of_lower
 from measure.records import values
 from measure.fronts import LOADING_ZONE, SLOW_BELOW
 from measure.front_map import load_map, map_of_seed, type_on_map, types_of
 
 BINS = (0.1, 0.05, 0.2)  # of tau_bar_0: blocks in one bin count as equally loaded; primary first
 OTHER_BINS = {f"bins of {width:g}": width for width in BINS[1:]}
-PERMUTATION = "permutation test"
 CURVES = ("uniform", "bell")
 MIDDLE = 40  # a block between the trigger region and the leading edge
-FEWEST_EVENTS = 5  # for a test over events
+NEAR = 0.1  # a curve, in mu_bar_eff
 KINDS = ("slow", "fast")
 # Of an event, or of a prepared interface, where all beyond the trigger region are alike; `shape` is
 # that of a prepared phi.
@@ -72,12 +74,28 @@ def lines_of(points):
     return {shape: [*zip(*(xy for of, *xy in pairs if of == shape))] for shape in CURVES}
 
 
-# --- tests ---------------------------------------------------------------------------------
+# --- what they say -------------------------------------------------------------------------
 
 
 def deviation(block, line):
     """Relative, from the curve at the sigma_bar that the finite number of junctions has."""
     return block.mu_bar_eff / np.interp(block.sigma_bar, *line) - 1
+
+
+def largest_deviation(points, lines):
+    return max(abs(deviation(point, lines[point.shape])) for point in points)
+
+
+def distance(block, lines):
+    """In mu_bar_eff, from the nearer of the curves."""
+    curves = (np.interp(block.sigma_bar, *lines[shape]) for shape in CURVES)
+    return min(abs(block.mu_bar_eff - curve) for curve in curves)
+
+
+def share_near(blocks, lines):
+    """`blocks` without contact have no strength and do not count."""
+    near = [distance(block, lines) <= NEAR for block in blocks if np.isfinite(block.mu_bar_eff)]
+    return float(np.mean(near))
 
 
 def strata_of(points):
@@ -93,47 +111,31 @@ def map_strata(types):
     return strata_of([(*place, kind) for place, kind in sorted(types.items())])
 
 
-def block_strata(blocks, width):
-    """Of blocks beyond the loading zone, by bins of tau_bar_0."""
-    return strata_of([(np.floor(b.tau_bar_0 / width), b.sigma_bar, b.kind) for b in blocks])
+def share_by_width(blocks, width=BINS[0]):
+    """Share of the pairs of a slow and a fast block with tau_bar_0 in the same bin in which the
+    slow one has the lower sigma_bar; None without such pairs."""
+    return share_of_lower(
+        strata_of([(np.floor(b.tau_bar_0 / width), b.sigma_bar, b.kind) for b in blocks])
+    )
 
 
-def shares_of(events, width=BINS[0]):
-    """{event: share of its pairs of a slow and a fast block in which the slow one has the lower
-    sigma_bar}"""
-    shares = {name: share_of_lower(block_strata(of, width)) for name, of in events.items()}
-    return {event: share for event, share in shares.items() if share is not None}
+def share_by_stress(blocks):
+    """The same of all pairs, for tau_bar_0 itself."""
+    return share_of_lower(strata_of([("", b.tau_bar_0, b.kind) for b in blocks]))
 
 
 # --- reports -------------------------------------------------------------------------------
 
 
-def on_map(types):
-    """Of {grid point: type}. Bins do not act on a map: its tau_bar_0 are few."""
-    strata = map_strata(types)
-    p = van_elteren(strata)
-    others = dict.fromkeys(OTHER_BINS, p) | {PERMUTATION: permutation(strata)}
-    return {"p": p, "under": {way: {"p": other} for way, other in others.items()}}
-
-
 def over_events(events):
-    """Of {event: blocks}; p is None with too few events."""
+    """Of the blocks of each event."""
 
     def found(width):
-        shares = list(shares_of(events, width).values())
-        return {
-            "p": signed_rank(shares) if len(shares) >= FEWEST_EVENTS else None,
-            "events": len(shares),
-            "median_share": float(np.median(shares)) if shares else None,
-        }
+        of_width = [share_by_width(blocks, width) for blocks in events]
+        shares = [share for share in of_width if share is not None]
+        return {"events": len(shares), "share": float(np.median(shares)) if shares else None}
 
-    primary = found(BINS[0])
-    others = {name: found(width) for name, width in OTHER_BINS.items()}
-    return primary | {"under": others | {PERMUTATION: primary}}
-
-
-def largest_deviation(points, lines):
-    return max(abs(deviation(point, lines[point.shape])) for point in points)
+    return found(BINS[0]) | {"under": {way: found(w) for way, w in OTHER_BINS.items()}}
 
 
 def main(which, *words):
@@ -141,9 +143,11 @@ def main(which, *words):
         seed, *files = words
         fronts, grid = load_map(*map(read_points, files))
         of_seed = map_of_seed({place: fronts[place] for place in grid}, int(seed))
-        return on_map(types_of(of_seed))
-    if which == "over_events":
-        points = enumerate(read_points(words[0]))
-        return over_events({n: blocks_of(p["front"], p["strength"]) for n, p in points})
-    points, curves = map(read_points, words)
-    return {"largest": largest_deviation(prepared_points(points), lines_of(curves))}
+        return {"share": share_of_lower(map_strata(types_of(of_seed)))}
+    points, *curves = map(read_points, words)
+    if which == "deviation":
+        return {"largest": largest_deviation(prepared_points(points), lines_of(*curves))}
+    events = [blocks_of(point["front"], point["strength"]) for point in points]
+    if which == "shown":
+        return {"near": share_near(sum(events, []), lines_of(*curves))}
+    return over_events(events)

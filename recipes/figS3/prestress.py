@@ -3,7 +3,8 @@
     deviation = script prestress.py {all profiles}
 
 Reports the largest relative deviations: before depinning, 100 steps later without depinning, just
-depinned, and of p from F_N/N_x. Prescribed is tau_0/p = mu_d + tau_bar_0 (mu_s - mu_d).
+depinned, and of p from F_N/N_x; and how much friction depinning takes from the trigger region.
+Prescribed is tau_0/p = mu_d + tau_bar_0 (mu_s - mu_d).
 """
 
 import numpy as np
@@ -43,6 +44,19 @@ def deviations(tau_bar, point):
     }
 
 
+def force_drop(point):
+    """The friction that depinning takes from the trigger region [N]."""
+    inside = np.array(point["before"]["x"]) < X_TRIGGER - 1e-9
+    before, after = (np.array(point[when]["tau"])[inside].sum() for when in ("before", "depinned"))
+    return float(before - after)
+
+
 def main(points):
-    each = [deviations(point["tau-bar"], point) for point in read_points(points)]
-    return {name: max(of[name] for of in each) for name in each[0]} | {"interfaces": len(each)}
+    points = read_points(points)
+    each = [deviations(point["tau-bar"], point) for point in points]
+    drops = [force_drop(point) for point in points]
+    return {name: max(of[name] for of in each) for name in each[0]} | {
+        "interfaces": len(each),
+        "force_drop": drops[0],
+        "force_drops_differ": max(drops) / min(drops) - 1,
+    }

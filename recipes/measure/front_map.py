@@ -184,6 +184,14 @@ def order_in_words(types):
     return len(set(types.values()) & set(TYPES)), len(out_of_order)
 
 
+def slow_range(types):
+    """By how much tau_bar_0 varies over slow fronts on a regular grid: their number at a sigma_bar,
+    times the distance of grid points; the median over sigma_bar."""
+    taus, sigmas = axes_of(types)
+    slow = [sum(types.get((tau, sigma)) == "slow" for tau in taus) for sigma in sigmas]
+    return float(np.median(slow)) * (taus[1] - taus[0])
+
+
 def band(types, sigma):
     """Lowest and highest tau_bar_0 with a slow front at this sigma_bar, or None."""
     taus = [tau for (tau, s), kind in types.items() if s == sigma and kind == "slow"]

@@ -2,7 +2,7 @@
 
 
 def name_of(point):
-    """Of its load: `load-203`, `decaying-01`, or `damping-half-203` of another chain of loads."""
+    """Of its load: `load-403`, `decaying-01`, or `damping-half-403` of another chain of loads."""
     variant = point["variant"]
     try:
         seed = point["numerics.seed"]

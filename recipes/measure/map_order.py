@@ -4,7 +4,8 @@
     order = script ../measure/map_order.py variants {seed} {all geometry} {all geometry_seeds}
 
 `one` map, or the maps of `variants`: the fewest types that are present on a map, and how many
-sigma_bar are out of order on all of them; in each way to measure ("under"). The map of a seed has
+sigma_bar are out of order on all of them; the range of tau_bar_0 with slow fronts on the map that
+has the narrowest; in each way to measure ("under"). The map of a seed has
 its own fronts at the boundary, and those of seed 1 elsewhere. The first file has the regular grid.
 """
 
@@ -18,6 +19,7 @@ def order_of(types):
     """Of {name of a map: {place: type}}."""
     orders = [front_map.order_in_words(of_map) for of_map in types.values()]
     return {
+        "slow_range": min(map(front_map.slow_range, types.values())),
         "types": min(present for present, _ in orders),
         "out_of_order": sum(out_of_order for _, out_of_order in orders),
     }

@@ -4,6 +4,7 @@ from unittest import mock
 
 import numpy as np
 
+import precursors
 from alternation import FROM, SLOW, alternates, own_result, shuffled
 from conftest import approx
 
@@ -53,3 +54,27 @@ class TestAlternation:
         measured = self.measured("s-s-ss")
         assert measured["share after a fast-slow-fast event"] == approx(1 / 3)
         assert measured["share after another event"] == 1.0
+
+
+class TestPrecursors:
+    @staticmethod
+    def events(*places):
+        """Of a load in which each precursor that arrests at x_p is followed by an event that is
+        fast-slow-fast, from x_p - 0.1 L to x_p + 0.05 L, if x_p is below 0.6 L."""
+        found = []
+        for x_p in places:
+            found.append({"spanning": False, "x_last": 0.14 * x_p, "L": 0.14})
+            stretch = {"x_from": 0.14 * (x_p - 0.1), "x_to": 0.14 * (x_p + 0.05)}
+            spans = {"spanning": True, "x_last": 0.14, "L": 0.14, "in_words": stretch}
+            found.append(spans | {"fast_slow_fast": x_p < 0.6})
+        return found
+
+    def test_the_slow_stretch_is_compared_with_where_the_event_before_it_arrested(self):
+        found = precursors.own_result([self.events(0.3, 0.5, 0.8), self.events(0.4, 0.7)])
+        assert [*found.measured.values()] == approx([1, -0.1, 0.75, 0, 5, 3, 1, 0.05])
+        assert not found.met  # a share of 0.75 where 0.8 is expected
+
+    def test_events_that_follow_one_that_spans_do_not_count(self):
+        first, second = self.events(0.3)
+        assert precursors.pairs_of([[second, second, first, second]]) == [(approx(0.3), second)]
+        assert precursors.own_result([[second]]).measured["correlation of end and x_p"] is None

@@ -64,13 +64,16 @@ def test_an_event_is_in_the_papers_place(slow, expected):
         assert names.value(text) == (expected and holds)
 
 
-def test_3C_ratios_take_the_peak_of_every_step():
+def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_slide():
+    stopped: dict = {"slow_speed": 0.2, "fast_slip": 6e-6, "slow_slip": 3e-6}
+    stopped |= {"t_arrest": 1.4, "slow_end": 4.0}
+    stopped |= {"time": [0.0, 3.0, 4.0, 5.0, 6.0], "slip": [0.0, 9.0, 9.1, 9.8, 10.4]}
     reports = {
-        "fast_slip": {"time": [0.0, 1.0, 1.5, 2.5], "slip": [0.0, 0.1, 0.3, 0.35]},
-        "slip_stopped": {"slow_speed": 0.2, "fast_slip": 6e-6, "slow_slip": 3e-6},
+        "fast_slip": {"time": [0.0, 1.0, 1.5, 2.5], "slip": [0.0, 0.1, 0.3, 5.0]},
+        "slip_stopped": stopped,
     }
     case = Names(table()["3C-ratios"], Made(reports)).case()
-    assert [*case.values()] == approx([2, 2, 400])
+    assert [*case.values()] == approx([2, 2, 400, 700])
 
 
 LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}

@@ -40,13 +40,18 @@ SLOW: dict = {"x_from": 0.07, "x_to": 0.098, "duration": 1e-3, "slowest": 9.68}
 SLOW["fast_before"] = C_S / 3
 FRONT: dict = {"type": "slow", "c_s": C_S, "L": L, "slow": SLOW}
 PAIR = {"x_arrest": 0.07, "L": L}
-SLIPS = {"fast_slip": 1.0, "slow_r_squared": 0.96}
+SLIPS = {"fast_slip": 1.0, "slow_slip": 1.0, "slow_r_squared": 0.96, "slow_rms": 0.02}
+# A block that ruptures at 1 ms and slips 10 um until 1.1 ms, rests, and slips 20 um slowly.
+COURSE: dict = {"t_rupture": 1e-3, "t_arrest": 1.1e-3, "fast_slip": 1e-5, "slow_slip": 2e-5}
+COURSE["time"] = [0.9e-3, 1.0e-3, 1.1e-3, 1.2e-3, 1.3e-3, 3e-3]
+COURSE["slip"] = [0.0, 0.6e-5, 1e-5, 1e-5, 1.2e-5, 3e-5]
 LINE: dict = {"t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "in_words": {"duration": 1e-3}}
 NUMBERS = {"types": 3, "out_of_order": 0}
 OUT_OF_ORDER = [{"order.types": 2}, {"order.out_of_order": 1}, {"order.types": None}]
 SIMPLIFIED: dict = {"type": "slow", "t_start": 1.0, "t_end": 2.0}
 SIMPLIFIED["slow"] = {"fast_before": 100.0, "speed": 10.0, "duration": 0.5e-3}
-GATHERING = {"deviation": {"largest": 0.02}, "on_map": {"p": 0.009}, "over_events": {"p": 0.009}}
+GATHERING: dict = {"deviation": {"largest": 0.02}, "shown": {"near": 0.9}}
+GATHERING |= {"on_map": {"share": 0.71}, "over_events": {"share": 0.71}}
 LAW = {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}
 STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18]}
 MODELS = ("full", "simplified")
@@ -176,6 +181,24 @@ EXAMPLES = {
             {"own_slip_double": None},
         ],
     ),
+    "3C-begin": Example(
+        {"own_slip_stopped": COURSE},  # half of the fast slip at the rupture, 0.2 ms of arrest
+        within=[
+            {"own_slip_stopped.t_rupture": 1.099e-3},
+            {"own_slip_stopped.t_rupture": 0.901e-3},
+            {"own_slip_stopped.time.4": 2.099e-3},
+            {"own_slip_stopped.time.4": 1.1201e-3, "own_slip_stopped.time.3": 1.11e-3},
+            {"own_slip_stopped.slip.3": 1.099e-5},
+        ],
+        beyond=[
+            {"own_slip_stopped.t_rupture": 1.101e-3},
+            {"own_slip_stopped.t_rupture": 0.899e-3},
+            {"own_slip_stopped.time.4": 2.101e-3},
+            {"own_slip_stopped.time.4": 1.1199e-3, "own_slip_stopped.time.3": 1.11e-3},
+            {"own_slip_stopped.slip.3": 1.101e-5, "own_slip_stopped.time.3": 1.11e-3},
+            {"own_slip_stopped.fast_slip": None},  # it never stops
+        ],
+    ),
     "3C-inset": Example(
         {"slope": {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0}},
         within=[{"slope.slope": 0.75}, {"slope.slope": 1.25}]
@@ -208,6 +231,11 @@ EXAMPLES = {
         within=[{"lengths.l_0": 5.251e-3}, {"lengths.l_0": 8.749e-3}],
         beyond=[{"lengths.l_0": l_0} for l_0 in (5.249e-3, 8.751e-3, None)],
     ),
+    "3D-stiffness": Example(
+        {"by_stiffness": {"fronts": 3, "least_step": 1e-6, "l_0": [7e-3]}},
+        beyond=[{"by_stiffness.fronts": 2}]
+        + [{"by_stiffness.least_step": step} for step in (0.0, -1e-6, None)],
+    ),
     "no-slip-force": Example(
         {"no_slow": {"widest": 0.049, "arrested": 1, "slow": 0, "fast": 1}},
         within=[{"no_slow.slow": 3}],  # a band that the grid has met by chance
@@ -233,10 +261,23 @@ EXAMPLES = {
         GATHERING,
         beyond=[
             {"deviation.largest": 0.0201},
-            {"on_map.p": 0.01},
-            {"on_map.p": None},
-            {"over_events.p": 0.01},
+            {"shown.near": 0.89},
+            {"on_map.share": 0.709},
+            {"on_map.share": None},
+            {"over_events.share": 0.709},
         ],
+    ),
+    "4C-stress": Example(
+        {
+            "front": {
+                "c_s": C_S,
+                "x": [0.02, 0.03, 0.04, 0.05, 0.06],  # the first is in the loading zone
+                "v_c": [C_S / 21, C_S / 21, C_S / 19, C_S / 19, -C_S / 19],
+            },
+            "strength": {"tau_bar_0": [9.0, 0.29, 0.35, 0.35, 9.0]},
+        },
+        within=[{"strength.tau_bar_0.1": 0.349}],
+        beyond=[{"strength.tau_bar_0.1": 0.35}, {"front.v_c.1": None}],
     ),
     "4D": Example({"order": NUMBERS}, beyond=OUT_OF_ORDER),
     "4D-edge": Example(
@@ -260,6 +301,28 @@ EXAMPLES = {
     "5B": Example(
         {"advance": {"c_s": C_S, "stopped": 2, "driven": 3}, "stretch": {"speed": 0.967}},
         beyond=[{"stretch.speed": 0.969}, {"advance.stopped": 3}],
+    ),
+    "no-slip-force-driven": Example(
+        {
+            "measured": {
+                "events": [
+                    {"spanning": False, "c_s": C_S, "in_words": {"fast_before": C_S}},
+                    {"spanning": True, "c_s": C_S, "in_words": None},
+                    {"spanning": True, "c_s": C_S, "in_words": {"fast_before": C_S / 10.1}},
+                ]
+            },
+            "stretch": {"speed": 0.967},
+        },
+        within=[
+            {"measured.events.2.in_words.fast_before": None},
+            {"measured.events.2.spanning": False},
+        ],
+        beyond=[
+            {"measured.events.2.in_words.fast_before": C_S / 9.9},
+            {"measured.events.1.spanning": False, "measured.events.2.spanning": False},
+            {"stretch.speed": 0.969},
+            {"stretch.speed": None},
+        ],
     ),
     "S1": Example(
         {"symmetry": {"of_p": 1e-9, "of_tau": 1e-9, "sum_of_p": 1e-9, "over_lever": 1.0}},
@@ -291,6 +354,10 @@ EXAMPLES = {
         {"deviation": {"before": 1e-9, "later": 1e-9, "depinned": 1e-9, "p": 1e-9}},
         beyond=[{f"deviation.{name}": 1.1e-9} for name in ("before", "later", "depinned", "p")],
     ),
+    "S3-trigger": Example(
+        {"deviation": {"force_drop": 9.0, "force_drops_differ": 1e-9}},
+        beyond=[{"deviation.force_drops_differ": 1.1e-9}],
+    ),
     "S4": Example(
         {
             "phi": {"mean": [1.0, -2.0]},
@@ -303,6 +370,21 @@ EXAMPLES = {
             {"phi_wider.mean.1": -2.0 - 2.1e-12},
             {"phi_wider.mean.0": 1.0 - 1.1e-12},
         ],
+    ),
+    "S4-begin": Example(
+        {
+            "front": {
+                "x": [0.02, 0.03, 0.034, 0.035],  # 0.25 L is 0.035
+                "L": L,
+                "t_rupture": [1e-3, 2e-3, 3e-3, 4e-3],
+                "in_words": {"duration": 1e-3},
+            },
+            "front_wider": {"t_rupture": [None, 2e-3, 3e-3, 9.0]},
+            "t": 1e-3,
+        },
+        within=[{"front_wider.t_rupture.2": t} for t in (2.951e-3, 3.049e-3)],
+        beyond=[{"front_wider.t_rupture.2": t} for t in (2.949e-3, 3.051e-3, None)]
+        + [{"front_wider.t_rupture.1": 2.051e-3}],
     ),
     "S5": Example(
         {
@@ -322,17 +404,21 @@ EXAMPLES = {
     ),
     "S6A": Example({"event": WORDS}, beyond=[{"event.fast_slow_fast": False}]),
     "S6B": Example({"order": NUMBERS}, beyond=OUT_OF_ORDER),
+    "S6B-range": Example(
+        {"order": {"slow_range": 0.08}, "reference": {"slow_range": 0.07}},
+        beyond=[{"order.slow_range": x} for x in (0.07, 0.06, None)],
+    ),
     "SI-slip": Example(
         {
             "reference": {
-                "slip_after_two_t_R_over_f_slip_per_k_ij": 8.5,
-                "net_slip_over_f_slip_per_k_ij": 0.0,
+                "slip_after_two_t_R_over_f_slip_per_k_ij": 0.0,
+                "net_slip_over_f_slip_per_k_ij": 8.5,
             },
             "unbreakable": {"net_slip_over_f_slip_per_k_ij": 5.187},
         },
-        within=[{"reference.slip_after_two_t_R_over_f_slip_per_k_ij": slip} for slip in (8.1, 8.9)],
+        within=[{"reference.net_slip_over_f_slip_per_k_ij": slip} for slip in (8.1, 8.9)],
         beyond=[
-            *({"reference.slip_after_two_t_R_over_f_slip_per_k_ij": slip} for slip in (8.09, 8.91)),
+            *({"reference.net_slip_over_f_slip_per_k_ij": slip} for slip in (8.09, 8.91)),
             *({"unbreakable.net_slip_over_f_slip_per_k_ij": slip} for slip in (5.186, 5.188)),
         ],
     ),

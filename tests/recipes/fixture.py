@@ -11,7 +11,7 @@ from PIL import Image
 from claims.judge import table
 from conftest import ROOT, run
 
-NOT_RUN = ("5A", "5B")  # the fixture has no results of their recipe
+NOT_RUN = ("5A", "5B", "no-slip-force-driven")  # the fixture has no results of their recipe
 JUDGED = [claim_id for claim_id in table() if claim_id not in NOT_RUN]
 START = 1.7e9  # [s] since 1970
 POINTS = 1200

@@ -1,11 +1,9 @@
-"""Maps of front types (measure/front_map.py, map_order.py) and rank tests (rank_test.py)."""
+"""Maps of front types (measure/front_map.py, map_order.py) and shares of pairs (pairs.py)."""
 
-import numpy as np
 from pytest import raises
-from scipy.stats import mannwhitneyu
 
 from conftest import approx
-from measure.rank_test import permutation, share_of_lower, van_elteren
+from measure.pairs import share_of_lower
 from measure.conventions import CONVENTIONS, PRIMARY, SETS, WAYS
 from measure import front_map, map_order
 from measure.front_map import front_type, out_of_order
@@ -136,7 +134,8 @@ class TestSeeds:
             found = in_each_way({name: maps[name] for name in names})
             assert (found["types"], found["out_of_order"]) == primary
             assert [*found["under"]] == [way for way in CONVENTIONS if way != PRIMARY]
-            assert tuple(found["under"]["stencil 3"].values()) == other
+            under = found["under"]["stencil 3"]
+            assert (under["types"], under["out_of_order"]) == other
 
 
 class TestOrderInWords:
@@ -149,40 +148,15 @@ class TestOrderInWords:
         assert front_map.medians_ascend(types | {(0.5, 0): "fast"}, 0)
         assert front_map.order_in_words(types | {(0.1, 1): "slow", (0.2, 1): "arrested"}) == (2, 1)
 
+    def test_the_range_of_slow_fronts_is_the_median_over_sigma_bar(self):
+        slow = {(0.1, 0): 1, (0.3, 0): 1, (0.2, 1): 1, (0.1, 2): 0}
+        places = [(tau, sigma) for tau in (0.1, 0.2, 0.3) for sigma in (0, 1, 2)]
+        types = {place: "slow" if slow.get(place) else "fast" for place in places}
+        assert front_map.slow_range(types) == approx(0.1)  # of 0.2, 0.1 and 0
 
-class TestRankTests:
+
+class TestPairs:
     def test_the_share_counts_pairs_of_equal_strata_only(self):
         assert share_of_lower([([1.0], [2.0]), ([5.0], [6.0])]) == 1.0
         assert share_of_lower([([1.0, 2.0], [1.5, 2.0])]) == 0.625
         assert share_of_lower([([1.0], [])]) is None
-
-    def test_one_stratum_is_the_mann_whitney_test(self):
-        random = np.random.default_rng(1)
-        first, second = random.normal(size=12), random.normal(0.5, size=9)
-        expected = mannwhitneyu(
-            first, second, alternative="less", method="asymptotic", use_continuity=False
-        )
-        assert van_elteren([(first, second)]) == approx(expected.pvalue, abs=10**-12)
-
-    def test_a_permutation_test_counts_all_ways_to_hand_out_the_groups(self):
-        # 2 of 4 values in 6 ways, of which 1 is as low; beside it, 1 of 2 in 2 ways, of which 1 is
-        assert permutation([([1.0, 2.0], [3.0, 4.0])]) == approx(1 / 6)
-        assert permutation([([1.0, 2.0], [3.0, 4.0]), ([1.0], [9.0])]) == approx(1 / 12)
-        # rank sums of 2 of 4: 3, 4, 5, 5, 6, 7
-        assert permutation([([1.0, 4.0], [2.0, 3.0])]) == approx(4 / 6)
-        # 3 + 0 of 4 + 1 pairs are lower; 4 + 1, 3 + 1, 2 + 1 (two ways), 4 + 0 and 3 + 0 are, too
-        assert permutation([([1.0, 3.0], [2.0, 4.0]), ([9.0], [1.0])]) == approx(6 / 12)
-
-    def test_a_permutation_test_counts_ties_half(self):
-        assert permutation([([1.0], [1.0, 2.0])]) == approx(2 / 3)
-        assert permutation([([1.0], [1.0])]) == 1.0
-        assert permutation([([1.0], [])]) is None
-
-    def test_a_permutation_test_of_one_stratum_is_the_exact_mann_whitney_test(self):
-        random = np.random.default_rng(2)
-        first, second = random.normal(size=8), random.normal(0.7, size=11)
-        expected = mannwhitneyu(first, second, alternative="less", method="exact")
-        assert permutation([(first, second)]) == approx(expected.pvalue, abs=10**-12)
-
-    def test_equal_groups_show_nothing(self):
-        assert van_elteren([([1.0, 2.0], [1.0, 2.0])]) == approx(0.5)

@@ -256,7 +256,7 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
         scripts = [*folder.glob("*.py"), *(ROOT / "recipes/measure").rglob("*.py")]
         ids = {claim for claim, row in known.items() if row["recipe"] == recipe}
         own = (path.read_text(encoding="utf-8") for path in folder.glob("*.py"))
-        ids |= set(re.findall(r'OwnResult\(\s*(?:id=)?"(\w+)"', "".join(own)))
+        ids |= set(re.findall(r'(?:OwnResult|compared)\(\s*(?:id=)?"(\w+)"', "".join(own)))
     places, names = PLACE.findall(text), set().union(*map(names_in, scripts))
     assert {claim for claim, _ in places} <= ids
     for claim, quantity in places:

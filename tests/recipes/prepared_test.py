@@ -134,3 +134,24 @@ class TestNoSlipForce:
 
     def test_what_cannot_be_prepared_is_impossible(self):
         assert set(no_slip_force.types_of(None).values()) == {"impossible"}
+
+
+class TestStiffness:
+    @staticmethod
+    def front(kappa, length):
+        lengths = dict.fromkeys(decay_length.METHODS, length)
+        return {"junctions.kappa": kappa, "l_0": {"l_0": lengths | {"fall to 1/e": 7e-3}}}
+
+    def test_l_0_is_compared_in_the_order_of_k_over_k_i(self):
+        KAPPA = 39.2e9  # l_0 goes with the square root of k/k_i, which goes with that of 1/kappa
+        fronts = [self.front(KAPPA * f, 7e-3 * f**-0.25) for f in (1 / 16, 1, 16)]
+        found = decay_length.by_stiffness(fronts)
+        assert found["ratios"] == [0.25, 1, 4]
+        assert found["l_0"] == approx([3.5e-3, 7e-3, 14e-3])
+        assert found["exponent"] == approx(0.5)
+        assert found["least_step"] == approx(3.5e-3)
+        assert found["under"]["fall to 1/e"]["least_step"] == 0
+
+    def test_fronts_that_are_not_slow_do_not_count(self):
+        found = decay_length.by_stiffness([self.front(1e9, None), self.front(2e9, 7e-3)])
+        assert (found["fronts"], found["least_step"], found["exponent"]) == (1, None, None)

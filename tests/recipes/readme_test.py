@@ -26,7 +26,8 @@ def test_its_sentences_are_those_of_the_table_of_verdicts():
 def test_in_words_mostly_yes_and_its_numbers_hold_for_some_events():
     """The one sentence that is not filled."""
     rows = {row["id"]: row for row in read_rows(ROOT / readme.TABLE)}
-    verdicts = [row["verdict"] for row in rows.values() if row["kind"] == "finding"]
+    findings = [row for row in rows.values() if row["kind"] == "finding"]
+    verdicts = [row["verdict"] for row in findings if row["verdict"]]  # others wait for their runs
     assert verdicts.count("reproduced") > len(verdicts) / 2
     [in_place] = json.loads(rows["2C"]["numbers"]).values()
     runs, of = map(int, in_place.split(" of "))

@@ -21,7 +21,6 @@ from chains.script import module_at
 from conftest import ROOT, approx
 from made_up import Made
 from measure.conventions import PRIMARY
-from measure.rank_test import signed_rank
 
 
 @fixture(name="given")
@@ -65,6 +64,7 @@ def test_S3_the_largest_deviation_of_all_interfaces(given):
     given(prestress, point(0.01), point(0.0))
     found = prestress.main("points")
     expected = {"before": 0, "later": 0.01, "depinned": 0, "p": 0, "interfaces": 2}
+    expected |= {"force_drop": 0.138, "force_drops_differ": 0}  # 0.3 (mu_s - mu_d) p
     assert found == approx(expected, abs=1e-12)
 
 
@@ -165,12 +165,6 @@ def test_4C_kinds_of_blocks():
     assert kinds == ["slow", "fast", None, None]
 
 
-def test_the_signed_rank_test_leaves_out_what_is_undecided():
-    assert signed_rank([0.6, 0.7, 0.4]) == approx(signed_rank([0.6, 0.7, 0.4, 0.5]))
-    assert signed_rank([0.6, 0.7, 0.8]) == approx(1 / 8)
-    assert signed_rank([0.4, 0.3, 0.2]) == 1
-
-
 def test_3C_neighbours_are_alike_up_to_a_fifth(monkeypatch):
     rows = [{"variant": "k_i", "ratio": None}, {"variant": "reference", "ratio": 1.3}]
     rows += [{"variant": "t_R", "ratio": 1.2}]
@@ -213,3 +207,22 @@ def test_choices_compare_medians_by_drawing_runs_again():
     assert slowest.beside(choices.Found(1.2, 1.0, 1.4)).moved == "up"
     assert slowest.beside(choices.Found(1.2, 1.0, 1.5)).moved == ""
     assert slowest.beside(choices.Found(4.0, 3.1, 5.0)).moved == "down"
+
+
+def test_S3_trigger_compares_what_depinning_takes_from_the_trigger_region(given):
+    def state(before, after):
+        x = [0.02, 0.0225]  # inside and outside
+        stress = {"x": x, "p": [10.0, 10.0], "F_N": 20.0}
+        return Made(
+            {
+                "tau-bar": 0.2,
+                "before": stress | {"tau": [before, 2.16]},
+                "later": stress | {"tau": [before, 2.16]},
+                "depinned": stress | {"tau": [after, 2.16]},
+            }
+        )
+
+    given(prestress, state(2.39, 1.7), state(2.79, 2.0))
+    found = prestress.main("points")
+    assert found["force_drop"] == approx(0.69)
+    assert found["force_drops_differ"] == approx(0.79 / 0.69 - 1)

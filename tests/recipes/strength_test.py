@@ -2,7 +2,15 @@
 
 from conftest import approx
 from made_up import Made
-from strength import Block, largest_deviation, map_strata, on_map, over_events, prepared_points
+from measure.pairs import share_of_lower
+from strength import (
+    Block,
+    largest_deviation,
+    map_strata,
+    over_events,
+    prepared_points,
+    share_near,
+)
 
 LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}
 POINT = Block("slow", 0.5, 0.1, 0.5, "uniform")  # on its curve
@@ -29,24 +37,15 @@ class TestGathering:
         assert map_strata(types) == [([0.0], [0.1]), ([], [])]
 
     def test_slow_points_of_a_map_gather_or_do_not(self):
-        for types, gather in ((GATHERED, True), (MIXED, False)):
-            found = on_map(types)
-            ps = [found["p"], *(of["p"] for of in found["under"].values())]
-            assert [p < 0.01 for p in ps] == 4 * [gather]
-        above = {place: {"slow": "fast", "fast": "slow"}[kind] for place, kind in GATHERED.items()}
-        assert on_map(above)["p"] > 0.99
-        assert on_map({(0.1, 0.0): "slow"})["p"] is None
+        shares = [share_of_lower(map_strata(types)) for types in (GATHERED, MIXED)]
+        assert shares == [1.0, approx(0.4)]
 
     def test_the_width_of_bins_acts_on_events(self):
-        found = over_events(dict(enumerate([EVENT] * 8)))
-        ps = {way: of["p"] < 0.01 for way, of in found["under"].items()}
-        assert (found["p"] < 0.01, found["events"], found["median_share"]) == (True, 8, 1.0)
-        assert ps == {"bins of 0.05": True, "bins of 0.2": False, "permutation test": True}
-
-    def test_few_events_tell_nothing(self):
-        assert over_events(dict(enumerate([EVENT] * 4)))["p"] is None
-        assert over_events(dict(enumerate([EVENT] * 5)))["p"] == approx(1 / 2**5)
-        assert over_events({})["median_share"] is None
+        found = over_events([EVENT, EVENT, []])
+        shares = {way: of["share"] for way, of in found["under"].items()}
+        assert (found["events"], found["share"]) == (2, 1.0)
+        assert shares == {"bins of 0.05": 1.0, "bins of 0.2": approx(7 / 15)}
+        assert over_events([])["share"] is None
 
     def test_a_prepared_point_is_a_block_beyond_the_trigger_region(self):
         of_block = {name: [0.0] * 9 + [0.3] * 48 for name in ("sigma_bar", "mu_bar_eff")}
@@ -56,3 +55,10 @@ class TestGathering:
     def test_the_largest_deviation_from_a_curve_may_be_below_it(self):
         low = Block("slow", 0.5, 0.1, 0.45, "uniform")
         assert largest_deviation([POINT, low], LINES) == approx(0.1)
+
+    def test_a_block_is_near_if_one_of_the_curves_is(self):
+        # at sigma_bar = 0.5 the curves are at 0.5 and 0.75
+        at = {mu: share_near([POINT._replace(mu_bar_eff=mu)], LINES) for mu in (0.39, 0.41, 0.84)}
+        assert at == {0.39: 0.0, 0.41: 1.0, 0.84: 1.0}
+        nothing = POINT._replace(mu_bar_eff=float("nan"))  # without contact
+        assert share_near([POINT, POINT._replace(mu_bar_eff=0.86), nothing], LINES) == 0.5
