@@ -3,10 +3,13 @@ tables/."""
 
 import csv
 import json
+from bisect import bisect_left
+from statistics import median
 
 import pytest
 
 from commands import json_of, lines_of, output_of
+from conftest import ROOT
 
 pytestmark = pytest.mark.usefixtures("small_ini")
 
@@ -112,3 +115,33 @@ def test_modify_phi_prints_the_histogram_of_the_changed_blocks_before_and_after(
 
     for column, file in ((2, "a.h5"), (3, "b.h5")):
         assert [int(row[column]) for row in printed] == counted(file), out
+
+
+@pytest.fixture
+def event_I():
+    """r.h5: the front starts at 0.015 m, and p changes by up to 3 % until it is slow."""
+    start = ROOT / "checkpoints/fast-slow-fast.h5"
+    output_of(f"restart {start} -o e.h5 --for 0.006 --record r.h5 --record-every 1e-5 -q")
+
+
+def test_slow_slip_is_compared_with_the_normal_force_when_it_begins(event_I):
+    """Eq. S1 is proportional to p/k_ij, and so to the square root of p."""
+    front = json_of("analyze front r.h5 --event 0 --json")
+    found = json_of("analyze slow-slip r.h5 --x-from 0 --x-to 0.1 --shortest 0.05 --json")
+    blocks, ratios, at_first = found["per_block"], [], []
+    assert len(blocks["x"]) > 30
+    for x, estimate in zip(blocks["x"], blocks["estimate"]):
+        t_rupture = front["t_rupture"][front["x"].index(x)]
+        begin = max(t_rupture, found["slow"]["t_from"]) + 0.075 / front["c_s"]
+        loading = json_of(f"analyze loading r.h5 --x {x} --json")
+        p = loading["p"][bisect_left(loading["time"], begin)]
+        ratios.append(estimate**2 / p)
+        at_first.append(estimate**2 / loading["p"][0])
+    assert max(ratios) / min(ratios) == pytest.approx(1, abs=1e-9)
+    assert max(at_first) / min(at_first) > 1.01
+
+
+def test_the_median_speed_is_that_of_stencils_that_run_forwards(event_I):
+    found = json_of("analyze slow-slip r.h5 --x-from 0 --x-to 0.03 --shortest 0.05 --json")
+    v_c = [v for v in found["per_block"]["v_c"] if v is not None]
+    assert min(v_c) < 0 and found["front_speed"] == median(v for v in v_c if v > 0)
