@@ -103,12 +103,13 @@ def units(row, chains, way=PRIMARY):
 
 
 def conventions(row, chains):
-    """{convention: (row, way)}, the primary one first: ways to measure that the reports have, if
-    the row asks for them, and what its `under` replaces."""
+    """{convention: (row, way)}, the primary one first: ways to measure, all that the reports have
+    or those that the row names, and what its `under` replaces."""
     found = {PRIMARY: (row, PRIMARY)}
-    if row.get("ways"):
+    if ways := row.get("ways"):
         points, _ = selected(row.get("each", row["shown"]), chains)
-        found |= {way: (row, way) for way in ways_in(points)}
+        named = ways_in(points) if ways is True else ways
+        found |= {way: (row, way) for way in named}
     for name, instead in row.get("under", {}).items():
         names = row.get("with", {}) | instead.get("with", {})
         found[name] = (row | instead | {"with": names}, PRIMARY)

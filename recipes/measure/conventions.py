@@ -27,7 +27,11 @@ WAYS = CONVENTIONS | {  # of types on a map: other limits of slow fronts, too
 # What a chain measures with `analyze ... --also NAME`, beside the primary convention.
 SETS = {
     name: {way: options for way, options in ways.items() if way != PRIMARY}
-    for name, ways in {"conventions": CONVENTIONS, "map": WAYS}.items()
+    for name, ways in {
+        "conventions": CONVENTIONS,
+        "map": WAYS,
+        "raw": {"raw line": CONVENTIONS["raw line"]},
+    }.items()
 }
 
 

@@ -11,7 +11,7 @@ from chains.expressions import Expression
 from claims.cases import Names
 from claims.judge import table
 from conftest import ROOT, approx
-from examples import FRONT, WORDS
+from examples import WORDS
 from made_up import Made
 from measure.fronts import middle_of
 from measure.slip import AFTER, peaks_of
@@ -34,34 +34,6 @@ def value(claim_id, text, **reports):
 def test_an_event_is_fast_slow_fast_in_order_of_time(t_rupture, expected):
     for claim_id in ("2A", "S6A", "exponential-event"):
         assert value(claim_id, "in_time", event=WORDS | {"t_rupture": t_rupture}) == expected
-
-
-@mark.parametrize(
-    "slow, expected",
-    [  # where it begins and ends [L], and how long it lasts [ms]
-        ((0.301, 0.699, 1.0), True),
-        ((0.499, 0.501, 1.0), True),
-        ((0.4, 0.6, 0.51), True),
-        ((0.299, 0.6, 1.0), False),
-        ((0.501, 0.6, 1.0), False),
-        ((0.4, 0.499, 1.0), False),
-        ((0.4, 0.701, 1.0), False),
-        ((0.4, 0.6, 0.49), False),
-        ((0.4, 0.6, 2.01), False),
-    ],
-)
-def test_an_event_is_in_the_papers_place(slow, expected):
-    [text] = table()["2C"]["counts"].values()
-    begins, ends, lasts = slow
-    stretch = FRONT["slow"] | {
-        "x_from": begins * 0.14,
-        "x_to": ends * 0.14,
-        "duration": lasts / 1e3,
-    }
-    for holds in (True, False):
-        names = Names(table()["2C"], Made(event=FRONT | {"slow": stretch}))
-        names.given["holds"] = holds
-        assert names.value(text) == (expected and holds)
 
 
 def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_slide():

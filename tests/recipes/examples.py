@@ -160,10 +160,10 @@ EXAMPLES = {
         beyond=[{"front_stopped.fast_slow_fast": False}, {"front_stopped": None}],
     ),
     "3B": Example(
-        {"front_no_slow_slip": PAIR, "event": {"in_words": {"x_from": 0.07}}},
+        {"front_no_slow_slip": PAIR, "front": {"in_words": {"x_from": 0.07}}},
         within=[{"front_no_slow_slip.x_arrest": x} for x in (0.0561, 0.0839)],
         beyond=[{"front_no_slow_slip.x_arrest": x} for x in (0.0559, 0.0841, None)]
-        + [{"event.in_words.x_from": None}, {"front_no_slow_slip": None}],
+        + [{"front.in_words.x_from": None}, {"front_no_slow_slip": None}],
     ),
     "3C": Example(
         {f"own_slip_{run}": SLIPS for run in ("stopped", "half", "double")},
@@ -285,9 +285,8 @@ EXAMPLES = {
     ),
     "5A": Example(
         {
-            "front": LINE,
+            "front": LINE | {"in_words": {"duration": 0.8e-3}},
             "front_undriven": {"t_rupture": [0.0, 9.0, 2e-3, 3e-3]},  # 9 s come before the stop
-            "event": {"in_words": {"duration": 0.8e-3}},
             "amid": 1.5e-3,
         },
         within=[{"front_undriven.t_rupture.3": 3.0399e-3}],
