@@ -256,8 +256,8 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
         text = (folder / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
         scripts = [*folder.glob("*.py"), *(ROOT / "recipes/measure").rglob("*.py")]
         ids = {claim for claim, row in known.items() if row["recipe"] == recipe}
-        own = (path.read_text(encoding="utf-8") for path in folder.glob("*.py"))
-        ids |= set(re.findall(r'(?:OwnResult|compared)\(\s*(?:id=)?"(\w+)"', "".join(own)))
+        texts = (path.read_text(encoding="utf-8") for path in folder.glob("*.py"))
+        ids |= set(re.findall(r'(?:OwnResult|compared)\(\s*(?:id=)?"(\w+)"', "".join(texts)))
     places, names = PLACE.findall(text), set().union(*map(names_in, scripts))
     assert {claim for claim, _ in places} <= ids
     for claim, quantity in places:
