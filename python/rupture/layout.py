@@ -20,8 +20,9 @@ parameters/junctions  mu_s,mu_d,mu_new,kappa,t_R,delta_t_R,d_R?,delta_d_R?,v_slo
 parameters/junctions  N_s int64  law,k_ij_from?,slipping_times,f_new,without_contact?,repin? text
 parameters/numerics   dt float64  seed int64
 provenance/*          tool,version,commit,command_line,compiler,parent_checksum,rebuild text
-run                   id? text  first_step?,last_break?,ruptures?,quiet_steps? int64
-run                   leading_edge_ruptured?,spanned? uint8  event? float64[Nx]
+run                   id? text  first_step?,last_break?,ruptures? int64
+run                   quiet_steps?,until_rupture_of? int64
+run                   leading_edge_ruptured?,spanned?,until_spanned? uint8  event? float64[Nx]
 run                   last_rupture?,arrived_below?,record_every?,fields_every? float64
 """
 CHECKPOINT = """\

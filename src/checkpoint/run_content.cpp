@@ -20,6 +20,8 @@ constexpr const char* kLastRupture = "/run/last_rupture";
 constexpr const char* kSpanned = "/run/spanned";
 constexpr const char* kQuietSteps = "/run/quiet_steps";
 constexpr const char* kArrivedBelow = "/run/arrived_below";
+constexpr const char* kUntilSpanned = "/run/until_spanned";
+constexpr const char* kUntilRuptureOf = "/run/until_rupture_of";
 
 constexpr double kNoRupture = -1.0;
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
@@ -53,6 +55,27 @@ void read_event(const Content& content, const Parameters& p, RunSoFar& run) {
   }
 }
 
+/// Runs until quiet also end when an event has spanned, and do not say so.
+void write_early_end(const EarlyEnd& early, Content& content) {
+  if (early.quiet_steps) content[kQuietSteps] = make_scalar(*early.quiet_steps, "1");
+  if (early.arrived_below) content[kArrivedBelow] = make_scalar(*early.arrived_below, "1");
+  if (early.spanned && !early.quiet_steps) content[kUntilSpanned] = make_truth(true);
+  if (early.rupture_of) content[kUntilRuptureOf] = make_scalar(*early.rupture_of, "1");
+}
+
+EarlyEnd read_early_end(const Content& content, const Parameters& p) {
+  EarlyEnd early;
+  if (content.contains(kQuietSteps))
+    early.quiet_steps = read_between(content, kQuietSteps, 0, kMost);
+  if (content.contains(kArrivedBelow))
+    early.arrived_below = read_scalar<double>(content, kArrivedBelow);
+  early.spanned = early.quiet_steps.has_value() ||
+                  (content.contains(kUntilSpanned) && read_truth(content, kUntilSpanned));
+  if (content.contains(kUntilRuptureOf))
+    early.rupture_of = read_between(content, kUntilRuptureOf, 0, p.Nx - 1);
+  return early;
+}
+
 }  // namespace
 
 Content run_content(const RunSoFar& run) {
@@ -68,8 +91,7 @@ Content run_content(const RunSoFar& run) {
     content[kLastRupture] = make_scalar(run.last_rupture, "s");
     content[kSpanned] = make_truth(run.spanned);
   }
-  if (run.quiet_steps) content[kQuietSteps] = make_scalar(*run.quiet_steps, "1");
-  if (run.arrived_below) content[kArrivedBelow] = make_scalar(*run.arrived_below, "1");
+  write_early_end(run.early, content);
   if (!run.id.empty()) content[kId] = make_text(run.id);
   return content;
 }
@@ -86,9 +108,7 @@ std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, st
   run.leading_edge_ruptured = read_truth(content, kLeadingEdge);
   if (content.contains(kEvent)) read_event(content, p, run);  // builds before it had none
   if (content.contains(kId)) run.id = read_text(content, kId);
-  if (content.contains(kQuietSteps)) run.quiet_steps = read_between(content, kQuietSteps, 0, kMost);
-  if (content.contains(kArrivedBelow))
-    run.arrived_below = read_scalar<double>(content, kArrivedBelow);
+  run.early = read_early_end(content, p);
   return run;
 }
 

@@ -23,18 +23,24 @@ std::int64_t steps_between_questions(const Parameters& p) {
 
 std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule) {
   const std::int64_t step = state.step;
+  const EarlyEnd& early = rule.early;
+  if (early.rupture_of && !run.event.empty() &&
+      run.event[static_cast<std::size_t>(*early.rupture_of)]) {
+    return Ending::ruptured;
+  }
   if (step >= rule.last_step) return Ending::last_step;
-  if (!rule.quiet_steps || step % kQuietCheck != 0) return std::nullopt;
+  if (step % kQuietCheck != 0) return std::nullopt;
   const Eigen::Index edge = state.junctions.repin_time.rows() - 1;  // the leading one
   const bool waits =
-      rule.arrived_below && pinned_fraction(state.junctions, edge) >= *rule.arrived_below;
-  if (run.spanned && !waits) return Ending::spanned;
-  if (step - run.last_break >= *rule.quiet_steps) return Ending::quiet;
+      early.arrived_below && pinned_fraction(state.junctions, edge) >= *early.arrived_below;
+  if (early.spanned && run.spanned && !waits) return Ending::spanned;
+  if (early.quiet_steps && step - run.last_break >= *early.quiet_steps) return Ending::quiet;
   return std::nullopt;
 }
 
 Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Observer*>& observers) {
   show(simulation, observers);
+  simulation.stop_at_rupture_of(rule.early.rupture_of);
   for (;;) {
     const std::int64_t step = simulation.state().step;
     if (const auto end = ending_at(simulation.state(), simulation.run(), rule)) return *end;
@@ -43,7 +49,7 @@ Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Obser
       if (rule.interrupted()) return Ending::interrupted;
       pause = std::min(pause, step + steps_between_questions(simulation.parameters()));
     }
-    if (rule.quiet_steps) pause = std::min(pause, (step / kQuietCheck + 1) * kQuietCheck);
+    if (rule.early.may_come()) pause = std::min(pause, (step / kQuietCheck + 1) * kQuietCheck);
     for (const Observer* observer : observers) pause = std::min(pause, observer->next_step());
     simulation.advance(std::max<std::int64_t>(pause - step, 1));
     show(simulation, observers);

@@ -111,11 +111,16 @@ void Simulation::take_steps(std::int64_t steps) {
     });
     if (blown_up_) return;
 
-    const Then then = n + 1 < steps ? Then::go_on : Then::stop;
+    const Then then = n + 1 < steps && !watched_ruptures_ ? Then::go_on : Then::stop;
     helpers_->share([this, then](int band) {
       bulk_.finish(band, boundary(), then, state_);  // 4, 5, and 1 of the next step if any
     });
+    if (then == Then::stop) return;
   }
+}
+
+void Simulation::stop_at_rupture_of(std::optional<std::int64_t> block) {
+  watched_ = block;
 }
 
 Boundary Simulation::boundary() const {
@@ -125,6 +130,7 @@ Boundary Simulation::boundary() const {
 
 void Simulation::move_interface() {
   ++state_.step;
+  watched_ruptures_ = false;
   find_normal_forces();  // 2
   const double* u_x = state_.u_x.row(0);
   const auto changes = law_->update(u_x, state_.v_x.row(0), contact(), time());  // 3
@@ -175,7 +181,10 @@ void Simulation::note_ruptures() {
       const bool now = law_->pinned()[i] < limit;
       if (now && !below[i]) {
         ruptures_.push_back({state_.step, time(), static_cast<std::int64_t>(i), fraction});
-        if (fraction == kRupturedFraction) add_rupture(parameters_, ruptures_.back(), run_);
+        if (fraction == kRupturedFraction) {
+          add_rupture(parameters_, ruptures_.back(), run_);
+          watched_ruptures_ |= watched_ == ruptures_.back().block;
+        }
       }
       below[i] = now;
     }

@@ -44,7 +44,7 @@ def complete(line):
         ("--v", ["--version"]),
         ("help mod", ["modify-phi"]),
         ("load --unt", ["--until"]),
-        ("restart a.h5 --until-", ["--until-quiet"]),
+        ("restart a.h5 --until-q", ["--until-quiet"]),
         ("analyze front a.h5 --ev", ["--event"]),
         ("analyze stress --ev", []),
         ("analyze sl", ["slip", "slow-slip"]),

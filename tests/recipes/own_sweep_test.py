@@ -149,7 +149,7 @@ REFUSED = [
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
     ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs continue from checkpoints"),
     ("--until-quiet", "--fro 1", "unknown option '--fro': did you mean '--for'"),
-    ("--until-quiet", "--record-every 1", "restart needs --until or --for or --until-quiet, which"),
+    ("--until-quiet", "--record-every 1", "restart needs --until or --for or --until-quiet or "),
     ("front r.h5", "front r.h5 --slowbelow 0.1", "unknown option '--slowbelow'.*'--slow-below'"),
     ("-o s.h5", "", "prepare needs --output, which"),
     (VALUES, "seed = 1", "prepare needs --tau-bar, which"),

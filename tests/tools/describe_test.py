@@ -84,7 +84,10 @@ def test_what_restart_does():
     assert restart["input"] == "checkpoint"
     assert restart["outputs"] == ["record", "checkpoint"]
     assert restart["parameters"] is True
-    assert restart["one_needed"] == [["until", "for", "until-quiet"], ["output"]]
+    assert restart["one_needed"] == [
+        ["until", "for", "until-quiet", "until-spanned", "until-rupture-at"],
+        ["output"],
+    ]
     del options["record-every"]["help"]
     expected = {"name": "record-every", "short": None, "kind": "number", "value": "T", "unit": "s"}
     assert options["record-every"] == expected | {"default": 1e-4}

@@ -21,19 +21,15 @@ class Observer {
 
 struct StopRule {
   std::int64_t last_step = 0;  ///< latest step, always in force
-  /// Also stop once no junction has broken for this many steps, or an event has spanned
-  /// (model/rupture.hpp), both counted from the start of this run. Looked at every kQuietCheck
+  /// Also stop at the step at which a block ruptures. The rest is looked at every kQuietCheck
   /// steps from step 0, so that the answer does not depend on what else pauses the run.
-  std::optional<std::int64_t> quiet_steps;
-  /// Then, if this is given, a run whose event has spanned still waits until a smaller fraction
-  /// than this of the junctions at the leading edge is pinned.
-  std::optional<double> arrived_below = {};
+  EarlyEnd early = {};
   /// Also stop once this is true, if it is given; asked some ten times a second.
   std::function<bool()> interrupted = {};
 };
 inline constexpr std::int64_t kQuietCheck = 100;
 
-enum class Ending { last_step, quiet, spanned, interrupted };
+enum class Ending { last_step, quiet, spanned, ruptured, interrupted };
 
 /// Whether a run has come to its end in this state, interruptions apart.
 std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule);

@@ -42,6 +42,8 @@ class Simulation {
   /// Moves the state by `steps` >= 0 steps. Throws Failure (time and block) when a number stops
   /// being finite; the state is then of no use.
   void advance(std::int64_t steps = 1);
+  /// From now on, advance() ends at the step at which this block ruptures.
+  void stop_at_rupture_of(std::optional<std::int64_t> block);
 
   const Parameters& parameters() const { return parameters_; }
   const State& state() const { return state_; }
@@ -101,6 +103,8 @@ class Simulation {
   std::vector<PinnedBelow> pinned_below_;  // first of kRupturedFraction
   std::vector<Rupture> ruptures_;
   RunSoFar run_;
+  std::optional<std::int64_t> watched_;  // block
+  bool watched_ruptures_ = false;        // in this step
   Work work_;
   Power power_;
   bool blown_up_ = false;

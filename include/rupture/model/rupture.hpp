@@ -40,6 +40,18 @@ inline double pause_between_events(const Parameters& p) {
   return 5.0 * p.t_R;
 }
 
+/// What ends a run before its last step. Breaks and events are counted from the start of the run.
+struct EarlyEnd {
+  std::optional<std::int64_t> quiet_steps = {};  ///< no junction has broken for this many steps
+  bool spanned = false;                          ///< an event has spanned
+  /// Then a smaller fraction than this of the junctions at the leading edge must be pinned, too.
+  std::optional<double> arrived_below = {};
+  std::optional<std::int64_t> rupture_of = {};  ///< this block ruptures
+
+  bool may_come() const { return quiet_steps || spanned || rupture_of; }
+  bool operator==(const EarlyEnd&) const = default;
+};
+
 /// Events that a run has seen since it began. With them, an interrupted run continues and
 /// ends as if it had not been.
 struct RunSoFar {
@@ -52,9 +64,7 @@ struct RunSoFar {
                                        ///< next two, if a build without them began the run
   double last_rupture = 0;             ///< of any block in this event; 0 before the first [s]
   bool spanned = false;                ///< whether this event or one before it has spanned
-  /// Its StopRule (dynamics/run.hpp), by which alone a run until quiet is known to have ended.
-  std::optional<std::int64_t> quiet_steps = {};
-  std::optional<double> arrived_below = {};
+  EarlyEnd early = {};  ///< by which alone a run that may end early is known to have ended
 
   bool operator==(const RunSoFar&) const = default;
 };

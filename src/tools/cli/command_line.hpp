@@ -46,7 +46,7 @@ struct Command {
   int (*run)(const Parsed&);      ///< all of it but the parsing; returns the exit code
   Quantities (*quantities)() = nullptr;  ///< rows of what it reports, whatever their values
   UsesParameters uses_parameters = UsesParameters::no;
-  std::array<const char*, 3> one_needed = {};  ///< options of which one must be given
+  std::array<const char*, 5> one_needed = {};  ///< options of which one must be given
 
   std::string_view name() const;
   std::string synopsis() const { return std::string(call) + " [options]"; }

@@ -24,7 +24,7 @@ struct Forecast {
   std::int64_t field_samples = 0;  ///< of its fields; 0 without them
   double time_per_step = 0;        ///< [s]
 
-  bool at_most() const { return plan.rule.quiet_steps && !plan.is_complete; }
+  bool at_most() const { return plan.rule.early.may_come() && !plan.is_complete; }
   double simulated_time() const { return static_cast<double>(steps) * parameters.dt; }  ///< [s]
   double blocks() const { return static_cast<double>(parameters.Nx * parameters.Nz); }
   double junctions() const {
@@ -94,9 +94,8 @@ std::string text_of(const Forecast& f) {
       "disk     {} {}\n"
       "time     {} {}: {} per step, measured now\n",
       f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
-      f.at_most() ? "; the run ends earlier if it becomes quiet" : "", grouped(f.blocks()),
-      grouped(f.junctions()), f.plan.threads, about, disk_text(f), about, time_text(f.time()),
-      time_text(f.time_per_step));
+      f.at_most() ? "; the run may end earlier" : "", grouped(f.blocks()), grouped(f.junctions()),
+      f.plan.threads, about, disk_text(f), about, time_text(f.time()), time_text(f.time_per_step));
 }
 
 Json json_of(const Forecast& f) {

@@ -1,4 +1,5 @@
 // load: the slider under its normal load, then driven from the side.
+#include "run/ends.hpp"
 #include "run/plan.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 
@@ -9,7 +10,11 @@ int load(const Parsed& parsed) {
   Parameters p;
   apply(parsed.parameters, p);
   validate(p);
-  const double until = non_negative(parsed.values, "until");
+  const bool is_driven = !parsed.values["until"].defaulted() || may_end_early(parsed.values);
+  const double until = parsed.values["until"].defaulted() && is_driven
+                           ? kLongestRun
+                           : non_negative(parsed.values, "until");
+  const EarlyEnd early = early_end(parsed.values, p);
   const RunOptions options = run_options(parsed);
 
   if (!options.resume && !options.is_dry) check_output(options.output);
@@ -17,8 +22,8 @@ int load(const Parsed& parsed) {
                       options.is_dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",
                                        shell_line(rebuild_command("load", Parameters{}, p)))}};
-  const int code = simulate(std::move(start), {steps_in(p, until), {}}, options, {});
-  if (parsed.values["until"].defaulted()) {
+  const int code = simulate(std::move(start), {steps_in(p, until), early}, options, {});
+  if (!is_driven) {
     options.output.say("no --until T was given: the slider is loaded, but not driven\n");
   }
   return code;
@@ -37,7 +42,7 @@ constinit const Command load_command = {
        options.add_options()("until", seconds()->default_value(0.0, "0"),
                              "drive until this time; 0: only the equilibrium");
      },
-     add_run_options},
+     add_early_end_options, add_run_options},
     load,
     run_quantities,
     UsesParameters::yes};

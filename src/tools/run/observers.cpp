@@ -67,7 +67,7 @@ std::string progress_text(const RunPlan& plan, const Simulation& now, double rat
     return fmt::format("t = {:.{}f} s of {}{:.{}f} s   {:>9} steps/s", now.time(), decimals, limit,
                        end, decimals, grouped(rate));
   };
-  if (plan.rule.quiet_steps) return text("at most ");
+  if (plan.rule.early.may_come()) return text("at most ");
   const double percent = std::floor(100.0 * static_cast<double>(step - first) / whole);
   const double left = std::ceil(static_cast<double>(last - step) / rate);  // [s]
   return fmt::format("{:3.0f} %   {}   {:>6} left", percent, text(""), time_text(left));

@@ -139,8 +139,7 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   plan.checkpoints = checkpoints_of(plan);
   if (plan.options.resume) find_run(plan);
   if (!plan.is_resumed()) plan.begin = plan.start;
-  plan.begin.run->quiet_steps = rule.quiet_steps;
-  plan.begin.run->arrived_below = rule.arrived_below;
+  plan.begin.run->early = rule.early;
   if (plan.is_resumed()) {
     const auto first = plan.checkpoints.begin();
     const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);

@@ -17,11 +17,14 @@ bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
 /// True if a run with this rule would have ended before `step`. When an event spanned is not known,
 /// nor, in files of earlier builds, whether one has; then it is true.
 bool is_beyond_end(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
+  const EarlyEnd& early = rule.early;
   if (step > rule.last_step) return true;
-  if (!rule.quiet_steps) return false;
-  const std::int64_t quiet_from = run.last_break + *rule.quiet_steps;
-  const std::int64_t end = (quiet_from + kQuietCheck - 1) / kQuietCheck * kQuietCheck;
-  return run.spanned || run.event.empty() || step > end;
+  if (!early.may_come()) return false;
+  if (run.event.empty() || (early.spanned && run.spanned)) return true;
+  if (early.rupture_of && run.early != early) return true;  // it may have ruptured
+  if (!early.quiet_steps) return false;
+  const std::int64_t quiet_from = run.last_break + *early.quiet_steps;
+  return step > (quiet_from + kQuietCheck - 1) / kQuietCheck * kQuietCheck;
 }
 
 /// OUT.h5, if it is there, and files OUT-t*.h5, those of the latest times first.
@@ -109,14 +112,13 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& pa
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
-/// True if the run that begins with `start` ends at this checkpoint of it. Of a run until quiet
-/// that is only known if it was to end by the same rule.
+/// True if the run that begins with `start` ends at this checkpoint of it. Of a run that may end
+/// early that is only known if it was to end by the same rule.
 bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
   const RunSoFar& run = *checkpoint.run;
   return checkpoint.state.step <= rule.last_step &&
          ending_at(checkpoint.state, run, rule).has_value() &&
-         (!rule.quiet_steps ||
-          (run.quiet_steps == rule.quiet_steps && run.arrived_below == rule.arrived_below));
+         (!rule.early.may_come() || run.early == rule.early);
 }
 
 /// True if the run goes through this checkpoint, which it wrote at its end or on its way.

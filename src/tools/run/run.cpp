@@ -34,7 +34,8 @@ Quantities quantities_of(const RunSummary& s) {
   };
   const Quantities rows = {
       {"ending", "",
-       "end, quiet, spanned (an event did), interrupted, or complete (nothing was left to do)",
+       "end, quiet, spanned (an event did), ruptured (the block did), interrupted, or complete "
+       "(nothing was left to do)",
        s.ending},
       {"time", "s", "simulated time at the end", s.time},
       {"steps", "1", "time steps taken", s.steps},
@@ -50,10 +51,11 @@ Quantities quantities_of(const RunSummary& s) {
 }
 
 /// How a run ended, in JSON and in the text, in the order of Ending.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kEndings = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kEndings = {
     {{"end", "end of the run"},
      {"quiet", "no more junctions broke"},
      {"spanned", "an event spanned the interface"},
+     {"ruptured", "the block ruptured"},
      {"interrupted", "interrupted"}}};
 
 void say_invariants(const OutputOptions& output, std::string_view ending,

@@ -41,7 +41,7 @@ using Steps = std::vector<std::int64_t>;
 
 TEST_F(Run, shows_observers_the_steps_they_ask_for) {
   Every seven(7), ten(10);
-  EXPECT_EQ(run(simulation_, {30, std::nullopt}, {&seven, &ten}), Ending::last_step);
+  EXPECT_EQ(run(simulation_, {30, {}}, {&seven, &ten}), Ending::last_step);
   EXPECT_EQ(simulation_.state().step, 30);
   EXPECT_EQ(seven.seen, (Steps{0, 7, 14, 21, 28}));
   EXPECT_EQ(ten.seen, (Steps{0, 10, 20, 30}));
@@ -52,11 +52,11 @@ TEST_F(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
   p.V = 0.0;
   State state = continued(start_, p);
   Simulation quiet(p, state);
-  EXPECT_EQ(run(quiet, {10000, 250}, {}), Ending::quiet);
+  EXPECT_EQ(run(quiet, {10000, {.quiet_steps = 250, .spanned = true}}, {}), Ending::quiet);
   EXPECT_EQ(quiet.state().step, 300);
   state.junctions.attachment.row(18) -= 1e-5;
   Simulation edge_alone(p, state);  // which is no event that spans
-  EXPECT_EQ(run(edge_alone, {10000, 250}, {}), Ending::quiet);
+  EXPECT_EQ(run(edge_alone, {10000, {.quiet_steps = 250, .spanned = true}}, {}), Ending::quiet);
   EXPECT_EQ(edge_alone.ruptures().size(), 1U);
   EXPECT_TRUE(edge_alone.run().leading_edge_ruptured);
 }
@@ -81,7 +81,7 @@ TEST_F(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junct
   Simulation simulation(p, normal_load_equilibrium(p));
   int questions = 0;
   const auto interrupted = [&] { return ++questions > 1; };
-  EXPECT_EQ(run(simulation, {.last_step = 100, .quiet_steps = {}, .interrupted = interrupted}, {}),
+  EXPECT_EQ(run(simulation, {.last_step = 100, .early = {}, .interrupted = interrupted}, {}),
             Ending::interrupted);
 }
 
