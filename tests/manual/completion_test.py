@@ -43,7 +43,7 @@ def complete(line):
         ("pre", ["prepare"]),
         ("--v", ["--version"]),
         ("help mod", ["modify-phi"]),
-        ("load --unt", ["--until"]),
+        ("load --until-s", ["--until-spanned"]),
         ("restart a.h5 --until-q", ["--until-quiet"]),
         ("analyze front a.h5 --ev", ["--event"]),
         ("analyze stress --ev", []),
