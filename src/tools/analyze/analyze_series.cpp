@@ -2,23 +2,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "analyze/analyze.hpp"
 #include "analyze/records.hpp"
+#include "run/files.hpp"
 #include "rupture/analysis/slip.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
 namespace {
-
-Eigen::Index block_at(const Parameters& p, double x) {
-  const double block = std::round(x / block_spacing(p));
-  if (block <= static_cast<double>(p.Nx - 1)) return static_cast<Eigen::Index>(block);
-  throw UsageError("--x {:g} is beyond the interface, which ends at {:g} m", x, p.L);
-}
 
 std::string slip_text(double x, const std::optional<double>& t_rupture,
                       const std::optional<SlipMeasure>& measure) {
@@ -145,7 +139,7 @@ constinit const Command slip_command = {
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);
       const double x = non_negative(parsed.values, "x");
-      const Eigen::Index block = block_at(command.record.parameters, x);
+      const Eigen::Index block = block_at(command.record.parameters, x, "x");
       return print(slip_of(command, block, non_negative(parsed.values, "next-fast")),
                    parsed.values);
     },
@@ -165,7 +159,7 @@ constinit const Command loading_command = {
       const Record record = record_of(parsed).record;
       Quantities rows = quantities_of(record);
       if (const auto x = optional_non_negative(parsed.values, "x")) {
-        rows = join({rows, block_quantities(record, block_at(record.parameters, *x))});
+        rows = join({rows, block_quantities(record, block_at(record.parameters, *x, "x"))});
       }
       return print({rows, text_of(record)}, parsed.values);
     },

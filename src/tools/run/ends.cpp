@@ -1,17 +1,9 @@
 #include "run/ends.hpp"
 
-#include <cmath>
-
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
 namespace {
-
-std::int64_t block_at(const Parameters& p, double x) {
-  const auto block = std::llround(x / block_spacing(p));
-  if (block < p.Nx) return block;
-  throw UsageError("--until-rupture-at {:g} is beyond the interface, which ends at {:g} m", x, p.L);
-}
 
 double arrived_below(const po::variables_map& values) {
   if (values.count("until-quiet") + values.count("until-spanned") == 0) {
@@ -55,7 +47,7 @@ EarlyEnd early_end(const po::variables_map& values, const Parameters& p) {
   }
   if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);
   if (const auto x = optional_non_negative(values, "until-rupture-at")) {
-    end.rupture_of = block_at(p, *x);
+    end.rupture_of = block_at(p, *x, "until-rupture-at");
   }
   return end;
 }
