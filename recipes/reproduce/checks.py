@@ -101,7 +101,8 @@ def compile_commands():
     included = tuple(f"/{each[1]}" for each in found if each)
     for entry in json.loads(Path("build/check/compile_commands.json").read_text()):
         if Path(entry["file"]).exists() and not entry["file"].endswith(included):
-            yield re.sub(" -o .*", " -fsyntax-only ", entry["command"]) + entry["file"]
+            check = " -fsyntax-only -fdelayed-template-parsing "
+            yield re.sub(" -o .*", check, entry["command"]) + entry["file"]
 
 
 def compile_each_alone(request, processes):
