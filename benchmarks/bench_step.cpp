@@ -104,11 +104,12 @@ void junctions(benchmark::State& bench, double repin_time) {
   state.junctions.repin_time.setConstant(repin_time);
   const auto law = make_law(p, state.junctions);
   const double t = time(p, state);
-  std::vector<double> normal(static_cast<std::size_t>(p.Nx)), k_ij(normal), w(normal), tau(normal);
+  std::vector<double> normal(static_cast<std::size_t>(p.Nx)), k_ij(normal), w(normal), tau(normal),
+      kappa(normal.size(), p.kappa[0]);
   const ContactView contact = {normal.data(), k_ij.data(), w.data()};
   for (auto _ : bench) {
     kernels().contact(p.Nx, state.u_z.row(0), foundation_stiffness(p), static_cast<double>(p.N_s),
-                      p.kappa, contact);
+                      kappa.data(), contact);
     benchmark::DoNotOptimize(law->update(state.u_x.row(0), state.v_x.row(0), contact, t));
     law->friction(state.u_x.row(0), contact, tau.data());
     benchmark::ClobberMemory();

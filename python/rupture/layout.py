@@ -11,13 +11,16 @@ from rupture.errors import Failure
 from rupture.tables import text
 
 # Group, names and type[lengths]. A name with "?" may be missing, a group with "?" as a whole.
-# Lengths that do not follow from the parameters are those of the first dataset that has them.
+# Lengths that do not follow from the parameters are those of the first dataset that has them. With
+# "|", a property of the interface: one value, or one for each block.
 BOTH = """
 parameters/slider     L,H,B,M,E,F_N,damping,foundation,foundation_damping? float64  Nx,Nz int64
+parameters/slider     load? float64|float64[Nx]
 parameters/slider     springs?,edge_springs?,damping_along?,support text
 parameters/driving    K,h,V float64
-parameters/junctions  mu_s,mu_d,mu_new,kappa,t_R,delta_t_R,d_R?,delta_d_R?,v_slow float64
-parameters/junctions  N_s int64  law,k_ij_from?,slipping_times,f_new,without_contact?,repin? text
+parameters/junctions  mu_s,mu_d,mu_new,kappa,t_R,delta_t_R float64|float64[Nx]
+parameters/junctions  d_R?,delta_d_R?,v_slow float64|float64[Nx]  f_new text|int64[Nx]
+parameters/junctions  N_s int64  law,k_ij_from?,slipping_times,without_contact?,repin? text
 parameters/numerics   dt float64  seed int64
 provenance/*          tool,version,commit,command_line,compiler,parent_checksum,rebuild text
 run                   id? text  first_step?,last_break?,ruptures? int64
@@ -129,6 +132,7 @@ class Content(dict):
                 is_needed = needed and any(one.startswith(needed) for one in ["/", *self])
                 if found == "missing" and not is_needed:
                     continue
+                form = form.split("|")[-1 if "[" in found else 0]
                 for symbol, length in zip(LENGTH.findall(form), LENGTH.findall(found)):
                     file.sizes.setdefault(symbol, length)
                 wanted = LENGTH.sub(lambda n: f"[{file.sizes.get(n[1], n[1])}]", form)

@@ -14,13 +14,13 @@ namespace rupture {
 namespace {
 
 BlockForces forces_of(const Parameters& p, const State& state, Eigen::Index i) {
-  const double p_i = NormalContact(p).normal_force(state.u_z(i, 0));
+  const double p_i = NormalContact(p, i).normal_force(state.u_z(i, 0));
   const auto springs = static_cast<double>(springs_per_block(p));
   BlockForces block;
   block.x = block_position(p, i);
-  block.k_ij = static_cast<double>(p.N_s) / springs * junction_stiffness(p, p_i);
-  block.f_thres = p.mu_s * p_i / springs;
-  block.f_slip = p.mu_d * p_i / springs;
+  block.k_ij = static_cast<double>(p.N_s) / springs * junction_stiffness(p, i, p_i);
+  block.f_thres = p.mu_s[i] * p_i / springs;
+  block.f_slip = p.mu_d[i] * p_i / springs;
   block.slipping = 1.0 - pinned_fraction(state.junctions, i);
   for (const double attachment : state.junctions.attachment.row(i)) {
     block.forces.push_back(block.k_ij * (state.u_x(i, 0) - attachment));
@@ -86,10 +86,9 @@ void refuse_single_springs(const Parameters& p) {
 }
 
 std::vector<double> normal_forces(const Parameters& p, const State& state) {
-  const NormalContact contact(p);
   std::vector<double> forces;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    forces.push_back(contact.normal_force(state.u_z(i, 0)));
+    forces.push_back(NormalContact(p, i).normal_force(state.u_z(i, 0)));
   }
   return forces;
 }

@@ -78,7 +78,7 @@ std::optional<SlowSlipTime> slow_slip_time(const Parameters& p, const Front& fro
                                            std::size_t block, const SlowSlipCriteria& criteria) {
   const auto& t_rupture = front.line.t_rupture[block];
   if (!front.slow || !t_rupture) return std::nullopt;
-  const double t_R = mean_slipping_time(p);
+  const double t_R = mean_slipping_time(p, static_cast<std::int64_t>(block));
   SlowSlipTime time{};
   time.from = std::max(*t_rupture, front.slow->t_from) + p.H / shear_wave_speed(p);
   time.to = std::min(front.slow->t_to, time.from + criteria.longest * t_R);

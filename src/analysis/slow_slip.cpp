@@ -15,17 +15,17 @@ namespace {
 /// Stretch f_N / k_ij at p, so that a junction carries mu f_N when stretched by mu times this [m].
 double unit_stretch(const SteadySliding& block) {
   const double f_N = block.p / static_cast<double>(block.parameters.N_s);
-  return f_N / junction_stiffness(block.parameters, block.p);
+  return f_N / junction_stiffness(block.parameters, 0, block.p);
 }
 
 /// f_new / f_N
 double mu_new(const Parameters& p) {
-  return p.f_new == NewForce::f_slip ? p.mu_d : 0.0;
+  return p.f_new[0] == NewForce::f_slip ? p.mu_d[0] : 0.0;
 }
 
 /// T_p [s]
 double pinned_time(const SteadySliding& block, double v) {
-  return (block.parameters.mu_s - mu_new(block.parameters)) * unit_stretch(block) / v;
+  return (block.parameters.mu_s[0] - mu_new(block.parameters)) * unit_stretch(block) / v;
 }
 
 /// Blocks with the same normal force and position but slipping times of their own.
@@ -37,7 +37,7 @@ class Replicas {
         law_(make_law(parameters_, junctions_)),
         u_(static_cast<std::size_t>(n)),
         p_(u_.size(), block.p),
-        k_ij_(u_.size(), junction_stiffness(block.parameters, block.p)),
+        k_ij_(u_.size(), junction_stiffness(block.parameters, 0, block.p)),
         w_(u_.size(), unit_stretch(block)),
         tau_(u_.size()) {}
 
@@ -62,7 +62,7 @@ class Replicas {
     Junctions junctions = State(p).junctions;
     for (Eigen::Index j = 0; j < p.N_s; ++j) {
       const double part = (static_cast<double>(j) + 0.5) / static_cast<double>(p.N_s);
-      junctions.attachment.col(j) = -(mu_new(p) + (p.mu_s - mu_new(p)) * part) * w;
+      junctions.attachment.col(j) = -(mu_new(p) + (p.mu_s[0] - mu_new(p)) * part) * w;
     }
     return junctions;
   }
@@ -79,8 +79,8 @@ class RelaxingBlock {
  public:
   RelaxingBlock(const Parameters& p, std::uint32_t replica)
       : parameters_(p), replica_(replica), draws_(static_cast<std::size_t>(p.N_s), 0U) {
-    if (p.mu_d > 0.0) f_thres_ = p.mu_s / p.mu_d;
-    if (p.f_new == NewForce::f_slip) f_new_ = 1.0;
+    if (p.mu_d[0] > 0.0) f_thres_ = p.mu_s[0] / p.mu_d[0];
+    if (p.f_new[0] == NewForce::f_slip) f_new_ = 1.0;
     for (std::uint32_t j = 0; j < draws_.size(); ++j) start_slipping(j);
   }
 
@@ -142,8 +142,8 @@ constexpr double kLongest = 100.0;  // [<t_R>]
 
 double renewal_friction(const SteadySliding& block, double v) {
   const Parameters& p = block.parameters;
-  const double T_p = pinned_time(block, v), t_R = mean_slipping_time(p);
-  return (T_p * (p.mu_s + mu_new(p)) / 2.0 + t_R * p.mu_d) / (T_p + t_R);
+  const double T_p = pinned_time(block, v), t_R = mean_slipping_time(p, 0);
+  return (T_p * (p.mu_s[0] + mu_new(p)) / 2.0 + t_R * p.mu_d[0]) / (T_p + t_R);
 }
 
 Mean measured_friction(const SteadySliding& block, double v, const SteadyRun& run) {
@@ -151,7 +151,7 @@ Mean measured_friction(const SteadySliding& block, double v, const SteadyRun& ru
   const std::int64_t first = std::int64_t{run.running_in} * run.steps_per_cycle;
   const std::int64_t steps = std::int64_t{run.measured} * run.steps_per_cycle;
   const double dt =
-      (pinned_time(block, v) + mean_slipping_time(block.parameters)) / run.steps_per_cycle;
+      (pinned_time(block, v) + mean_slipping_time(block.parameters, 0)) / run.steps_per_cycle;
   std::vector<double> mu(static_cast<std::size_t>(run.replicas), 0.0);
   for (std::int64_t n = 1; n <= first + steps; ++n) {
     const double t = static_cast<double>(n) * dt;
@@ -164,14 +164,14 @@ Mean measured_friction(const SteadySliding& block, double v, const SteadyRun& ru
   return mean_of(mu).value();
 }
 
-double slow_slip_estimate(const Parameters& parameters, double p) {
-  if (p <= 0.0 || parameters.f_new == NewForce::f_slip) return 0.0;
-  const double k_i = static_cast<double>(parameters.N_s) * junction_stiffness(parameters, p);
-  return kSlowSlipCoefficient * parameters.mu_d * p / (k_i * mean_slipping_time(parameters));
+double slow_slip_estimate(const Parameters& parameters, std::int64_t i, double p) {
+  if (p <= 0.0 || parameters.f_new[i] == NewForce::f_slip) return 0.0;
+  const double k_i = static_cast<double>(parameters.N_s) * junction_stiffness(parameters, i, p);
+  return kSlowSlipCoefficient * parameters.mu_d[i] * p / (k_i * mean_slipping_time(parameters, i));
 }
 
 std::optional<Relaxation> relax(const Parameters& p, std::uint32_t replica) {
-  const double t_R = mean_slipping_time(p);
+  const double t_R = mean_slipping_time(p, 0);
   RelaxingBlock block(p, replica);
   Relaxation result{};
   while (block.slips()) {

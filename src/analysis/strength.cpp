@@ -108,7 +108,9 @@ std::vector<BlockStrength> block_strengths(const Parameters& p, const State& sta
     const auto junctions =
         junction_forces(state.junctions, static_cast<Eigen::Index>(i), forces[i]);
     BlockStrength block = {forces[i].x, normal[i], largest_friction(junctions), forces[i].slipping};
-    const double tau_slip = p.mu_d * block.p, range = (p.mu_s - p.mu_d) * block.p;
+    const auto column = static_cast<std::int64_t>(i);
+    const double mu_d = p.mu_d[column];
+    const double tau_slip = mu_d * block.p, range = (p.mu_s[column] - mu_d) * block.p;
     if (range > 0.0) {
       block.sigma_bar = forces[i].sigma_bar();
       block.tau_bar_0 = (forces[i].tau() - tau_slip) / range;

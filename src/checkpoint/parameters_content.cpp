@@ -1,5 +1,7 @@
 #include "rupture/checkpoint/parameters_content.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -17,31 +19,60 @@ std::string dataset_path(const ParameterInfo& info) {
 template <class T>
 constexpr bool is_number = std::is_same_v<T, double> || std::is_same_v<T, std::int64_t>;
 
+template <class T>
+Dataset dataset_of(const ParameterInfo& info, const Parameters& parameters, T value) {
+  if constexpr (is_number<T>) {
+    return make_scalar(value, info.unit);
+  } else {
+    return make_text(parameter_text(parameters, info));
+  }
+}
+
+// One value, or an array with that of each block; words in it by their number.
+template <class T>
+Dataset dataset_of(const ParameterInfo& info, const Parameters& parameters,
+                   const AlongX<T>& values) {
+  using Stored = std::conditional_t<is_number<T>, T, std::int64_t>;
+  if (!values.varies()) return dataset_of(info, parameters, values[0]);
+  std::vector<Stored> stored;
+  for (const T value : values.blocks()) stored.push_back(static_cast<Stored>(value));
+  return make_array(std::span<const Stored>(stored), {stored.size()}, info.unit);
+}
+
 Dataset parameter_dataset(const Parameters& parameters, const ParameterInfo& info) {
-  return std::visit(
-      [&]<class T>(T Parameters::*member) {
-        if constexpr (is_number<T>) {
-          return make_scalar(parameters.*member, info.unit);
-        } else {
-          return make_text(parameter_text(parameters, info));
-        }
-      },
-      info.member);
+  return std::visit([&](auto member) { return dataset_of(info, parameters, parameters.*member); },
+                    info.member);
 }
 
 // The stored value as text, so that the table's own rules decide whether it is valid.
-std::string stored_text(const Content& content, const ParameterInfo& info) {
-  return std::visit(
-      [&]<class T>(T Parameters::*member) {
-        if constexpr (is_number<T>) {
-          Parameters holder;
-          holder.*member = read_scalar<T>(content, dataset_path(info));
-          return parameter_text(holder, info);
-        } else {
-          return read_text(content, dataset_path(info));
-        }
-      },
-      info.member);
+template <class T>
+std::string stored_text(const Content& content, const ParameterInfo& info, const T&) {
+  if constexpr (is_number<T>) {
+    return fmt::format("{}", read_scalar<T>(content, dataset_path(info)));
+  } else {
+    return read_text(content, dataset_path(info));
+  }
+}
+
+template <class T>
+std::string stored_text(const Content& content, const ParameterInfo& info, const AlongX<T>&) {
+  using Stored = std::conditional_t<is_number<T>, T, std::int64_t>;
+  const std::string path = dataset_path(info);
+  const auto found = content.find(path);
+  if (found == content.end() || found->second.shape.size() != 1) {
+    return stored_text(content, info, T{});
+  }
+  std::string text;
+  for (const Stored value : read_array<Stored>(content, path, found->second.shape)) {
+    if (!text.empty()) text += ',';
+    if constexpr (is_number<T>) {
+      text += fmt::format("{}", value);
+    } else {
+      const auto word = static_cast<std::size_t>(value);
+      text += word < info.valid.words.size() ? info.valid.words[word] : fmt::format("{}", value);
+    }
+  }
+  return text;
 }
 
 // The interface law of a content: the default if it names none. A name of no law is refused later.
@@ -92,7 +123,9 @@ Parameters read_parameters(const Content& content) {
   try {
     for (const ParameterInfo& info : parameter_table()) {
       if (info.since == Since::later && !content.contains(dataset_path(info))) continue;
-      set_parameter(parameters, info.name, stored_text(content, info));
+      const std::string text = std::visit(
+          [&](auto member) { return stored_text(content, info, parameters.*member); }, info.member);
+      set_parameter(parameters, info.name, text);
     }
     validate(parameters);
     expect_as_written(content, parameters_content(parameters));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rupture/forces/interface_law.hpp"
 #include "rupture/model/derived.hpp"
@@ -15,11 +16,11 @@ namespace {
 void check_strength(const Parameters& p, const State& state) {
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto friction = interface_forces(p, {}, state, i);
-    if (std::abs(friction.tau) <= p.mu_s * friction.p) continue;
+    if (std::abs(friction.tau) <= p.mu_s[i] * friction.p) continue;
     throw Failure(
         "the junctions of block {} cannot bear the normal load: |f|/f_thres = {:.3g} at F_N = {:g} "
         "N; raise junctions.mu_s or slider.foundation, or lower slider.F_N",
-        i, std::abs(friction.tau) / (p.mu_s * friction.p), p.F_N);
+        i, std::abs(friction.tau) / (p.mu_s[i] * friction.p), p.F_N);
   }
 }
 
@@ -31,24 +32,25 @@ bool is_depinned(const Parameters& p, const Prestress& prestress, Eigen::Index i
   return prestress.trigger == Trigger::depinned && in_trigger_region(p, prestress, i);
 }
 
-/// f_thres - f_slip [N].
-double strength_range(const Parameters& p) {
-  return (p.mu_s - p.mu_d) * mean_normal_force(p) / static_cast<double>(p.N_s);
+/// f_thres - f_slip of block i [N].
+double strength_range(const Parameters& p, Eigen::Index i) {
+  return (p.mu_s[i] - p.mu_d[i]) * column_load(p, i) / static_cast<double>(p.N_s);
 }
 
 void check_parameters(const Parameters& p) {
   validate(p);
-  if (!NormalContact(p).has_constant_p()) {
+  if (!has_constant_p(p)) {
     throw UsageError("a prepared interface needs slider.support = ceiling");
   }
   if (!(p.K > 0.0)) {
     throw UsageError(
         "driving.K = 0 cannot balance the prestress: give the driving spring a modulus above 0");
   }
-  if (!(p.mu_d < p.mu_s)) {
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    if (p.mu_d[i] < p.mu_s[i]) continue;
     throw UsageError(
         "junctions.mu_d = junctions.mu_s = {:g} leaves no range for the prestress: lower mu_d",
-        p.mu_d);
+        p.mu_d[i]);
   }
 }
 
@@ -60,33 +62,52 @@ void check_region(const Parameters& p, const Prestress& prestress) {
       prestress.x_trigger);
 }
 
-void check_tau_bar(const Parameters& p, const char* name, double tau_bar) {
-  const double least = -(p.mu_s + p.mu_d) / (p.mu_s - p.mu_d);  // tau_0 = -mu_s p
-  if (tau_bar >= least && tau_bar <= 1.0) return;
-  throw UsageError(
-      "--{} {:g} would put junctions beyond f_thres: the largest possible value is 1, the "
-      "smallest {:.4g}",
-      name, tau_bar, least);
+void check_tau_bar(const Parameters& p, const char* name, const AlongX<double>& tau_bar) {
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const double least = -(p.mu_s[i] + p.mu_d[i]) / (p.mu_s[i] - p.mu_d[i]);  // tau_0 = -mu_s p
+    if (tau_bar[i] >= least && tau_bar[i] <= 1.0) continue;
+    throw UsageError(
+        "--{} {:g} would put junctions beyond f_thres: the largest possible value is 1, the "
+        "smallest {:.4g}",
+        name, tau_bar[i], least);
+  }
 }
 
-void check_sigma_bar(const Parameters& p, const Prestress& prestress) {
-  const double largest = largest_sigma_bar(p, prestress);
-  if (prestress.sigma_bar >= 0.0 && prestress.sigma_bar <= largest) return;
-  if (!(prestress.sigma_bar >= 0.0)) {
-    throw UsageError("--sigma-bar must be 0 or more (got {:g})", prestress.sigma_bar);
+/// The sigma-bar at which the outermost junction of block i reaches f_thres, if it stays pinned.
+double largest_sigma_bar(const Parameters& p, const Prestress& prestress, Eigen::Index i,
+                         double tau_i) {
+  const double outermost = unit_quantiles(prestress.shape, springs_per_block(p)).back();
+  if (outermost == 0.0) return 0.0;  // one junction per block has no width
+  const auto N_s = static_cast<double>(p.N_s);
+  const double room = p.mu_s[i] * column_load(p, i) / N_s - std::abs(tau_i) / N_s;
+  return std::max(room, 0.0) / outermost * unit_sigma(prestress.shape) / strength_range(p, i);
+}
+
+void check_sigma_bar(const Parameters& p, const Prestress& prestress,
+                     const std::vector<double>& tau) {
+  const auto& sigma_bar = prestress.sigma_bar;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    if (!(sigma_bar[i] >= 0.0)) {
+      throw UsageError("--sigma-bar must be 0 or more (got {:g})", sigma_bar[i]);
+    }
+    const double of_block = largest_sigma_bar(p, prestress, i, tau[static_cast<std::size_t>(i)]);
+    if (is_depinned(p, prestress, i) || sigma_bar[i] <= of_block) continue;
+    const double largest = sigma_bar.varies() ? of_block : largest_sigma_bar(p, prestress);
+    throw UsageError(
+        "--sigma-bar {:g} would put junctions beyond f_thres: the largest possible value is "
+        "{:.4f}{}",
+        sigma_bar[i], std::floor(largest * 1e4) * 1e-4,
+        springs_per_block(p) == 1 ? ", as each block has only one spring" : "");
   }
-  throw UsageError(
-      "--sigma-bar {:g} would put junctions beyond f_thres: the largest possible value is {:.4f}{}",
-      prestress.sigma_bar, std::floor(largest * 1e4) * 1e-4,
-      springs_per_block(p) == 1 ? ", as each block has only one spring" : "");
 }
 
 /// Attaches the junctions of block i where their forces add up to tau_i and follow phi. The single
 /// spring of the simplified law is stretched like each of the N_s junctions that it stands for.
 void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen::Index i,
             State& state) {
-  const double k_ij = junction_stiffness(p, mean_normal_force(p));
-  const double half_width = prestress.sigma_bar * strength_range(p) / unit_sigma(prestress.shape);
+  const double k_ij = junction_stiffness(p, i, column_load(p, i));
+  const double half_width =
+      prestress.sigma_bar[i] * strength_range(p, i) / unit_sigma(prestress.shape);
   const auto quantiles = unit_quantiles(prestress.shape, springs_per_block(p));
   const double mean = tau_i / static_cast<double>(p.N_s);
   for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
@@ -97,9 +118,9 @@ void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen
 
 /// Depins all junctions of block i, which carried tau_i together. The block is no longer at rest.
 void depin(const Parameters& p, double tau_i, Eigen::Index i, InterfaceLaw& law, State& state) {
-  const double normal = mean_normal_force(p), u_x = state.u_x(i, 0);
-  const double w = friction_stretch(p, normal);
-  const double k_ij = junction_stiffness(p, normal);
+  const double normal = column_load(p, i), u_x = state.u_x(i, 0);
+  const double w = friction_stretch(p, i, normal);
+  const double k_ij = junction_stiffness(p, i, normal);
   const Eigen::Index springs = state.junctions.attachment.cols();
   double friction = 0.0;
   for (Eigen::Index j = 0; j < springs; ++j) {
@@ -145,24 +166,21 @@ std::vector<double> prescribed_friction(const Parameters& p, const Prestress& pr
   std::vector<double> tau;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const double tau_bar =
-        in_trigger_region(p, prestress, i) ? prestress.tau_bar_trigger : prestress.tau_bar;
-    tau.push_back(mean_normal_force(p) * (p.mu_d + tau_bar * (p.mu_s - p.mu_d)));
+        in_trigger_region(p, prestress, i) ? prestress.tau_bar_trigger : prestress.tau_bar[i];
+    tau.push_back(column_load(p, i) * (p.mu_d[i] + tau_bar * (p.mu_s[i] - p.mu_d[i])));
   }
   return tau;
 }
 
 double largest_sigma_bar(const Parameters& p, const Prestress& prestress) {
-  const double outermost = unit_quantiles(prestress.shape, springs_per_block(p)).back();
-  if (outermost == 0.0) return 0.0;  // one junction per block has no width
-  const auto N_s = static_cast<double>(p.N_s);
-  const double f_thres = p.mu_s * mean_normal_force(p) / N_s;
   const auto tau = prescribed_friction(p, prestress);
-  double room = f_thres;
+  double largest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     if (is_depinned(p, prestress, i)) continue;
-    room = std::min(room, f_thres - std::abs(tau[static_cast<std::size_t>(i)]) / N_s);
+    largest =
+        std::min(largest, largest_sigma_bar(p, prestress, i, tau[static_cast<std::size_t>(i)]));
   }
-  return std::max(room, 0.0) / outermost * unit_sigma(prestress.shape) / strength_range(p);
+  return largest;
 }
 
 State prepared_state(const Parameters& p, const Prestress& prestress) {
@@ -170,8 +188,8 @@ State prepared_state(const Parameters& p, const Prestress& prestress) {
   check_region(p, prestress);
   check_tau_bar(p, "tau-bar", prestress.tau_bar);
   check_tau_bar(p, "tau-bar-trigger", prestress.tau_bar_trigger);
-  check_sigma_bar(p, prestress);
   const auto tau = prescribed_friction(p, prestress);
+  check_sigma_bar(p, prestress, tau);
   auto state = solve_statics(p, {tau, p.K});
   // As p is constant, the static equations have solutions in which the slider has turned until the
   // ceiling touches a corner, and blocks rose or sank by the spacing between them.

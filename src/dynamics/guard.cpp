@@ -43,10 +43,9 @@ Maybe lattice(const Simulation& simulation) {
 Maybe contact(const Simulation& simulation) {
   const Parameters& p = simulation.parameters();
   const Field& u_z = simulation.state().u_z;
-  const NormalContact normal(p);
   std::int64_t without = 0, first = 0;
   for (std::int64_t i = p.Nx - 1; i >= 0; --i) {
-    if (normal.compression(u_z(i, 0), u_z(i, p.Nz - 1)) > 0.0) continue;
+    if (NormalContact(p, i).compression(u_z(i, 0), u_z(i, p.Nz - 1)) > 0.0) continue;
     ++without;
     first = i;
   }
@@ -78,15 +77,15 @@ Overload overload(const Simulation& simulation) {
   Overload result;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const double normal = simulation.p()[static_cast<std::size_t>(i)];
-    const double u = simulation.state().u_x(i, 0), w = friction_stretch(p, normal);
+    const double u = simulation.state().u_x(i, 0), w = friction_stretch(p, i, normal);
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(u);
     if (!(w > 0.0)) continue;
     for (Eigen::Index j = 0; j < junctions.attachment.cols(); ++j) {
-      const double mu = is_slipping(junctions.repin_time(i, j)) ? p.mu_d : p.mu_s;
+      const double mu = is_slipping(junctions.repin_time(i, j)) ? p.mu_d[i] : p.mu_s[i];
       const double stretch = std::abs(u - junctions.attachment(i, j));
       if (stretch <= mu * w * (1.0 + 1e-9) + rounding) continue;
       if (result.count++ > 0) continue;
-      const double k_ij = junction_stiffness(p, normal);
+      const double k_ij = junction_stiffness(p, i, normal);
       result.block = i;
       result.f = k_ij * stretch;
       result.limit = k_ij * mu * w;

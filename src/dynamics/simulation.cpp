@@ -64,22 +64,25 @@ int default_thread_count(const Parameters& p) {
 Simulation::Simulation(const Parameters& parameters, State state, int threads,
                        const std::vector<double>& crossings)
     : parameters_(valid(parameters, state)),
-      normal_(parameters),
       state_(std::move(state)),
       bulk_(parameters, threads),
       helpers_(std::make_unique<Helpers>(bulk_.bands())),
       law_(make_law(parameters, state_.junctions)),
-      p_(static_cast<std::size_t>(parameters.Nx), normal_.normal_force(0.0)),
-      k_ij_(p_.size(), junction_stiffness(parameters, p_.front())),
-      w_(p_.size(), friction_stretch(parameters, p_.front())),
-      tau_(p_.size()),
+      tau_(static_cast<std::size_t>(parameters.Nx)),
       eta_f_(foundation_damping_coefficient(parameters)),
-      bottom_(p_),
-      top_(p_.size(), normal_.top_force(0.0)),
       F_T_(driving_force(parameters, state_)),
-      pinned_below_{{kRupturedFraction, std::vector<bool>(p_.size())}} {
+      pinned_below_{{kRupturedFraction, std::vector<bool>(tau_.size())}} {
+  for (std::int64_t i = 0; i < parameters.Nx; ++i) {
+    normal_.emplace_back(parameters, i);
+    kappa_.push_back(parameters.kappa[i]);
+    p_.push_back(normal_.back().normal_force(0.0));
+    k_ij_.push_back(junction_stiffness(parameters, i, p_.back()));
+    w_.push_back(friction_stretch(parameters, i, p_.back()));
+    top_.push_back(normal_.back().top_force(0.0));
+  }
+  bottom_ = p_;
   for (const double fraction : crossings) {
-    pinned_below_.push_back({fraction, std::vector<bool>(p_.size())});
+    pinned_below_.push_back({fraction, std::vector<bool>(tau_.size())});
   }
   find_normal_forces();  // of the side with the support; F_N on the other does not change
   law_->friction(state_.u_x.row(0), contact(), tau_.data());
@@ -141,9 +144,9 @@ void Simulation::move_interface() {
 }
 
 void Simulation::find_normal_forces() {
-  if (normal_.has_constant_p()) {
+  if (has_constant_p(parameters_)) {
     const double* u_z = state_.u_z.row(parameters_.Nz - 1);
-    for (std::size_t i = 0; i < top_.size(); ++i) top_[i] = normal_.top_force(u_z[i]);
+    for (std::size_t i = 0; i < top_.size(); ++i) top_[i] = normal_[i].top_force(u_z[i]);
   } else {
     find_contact();
   }
@@ -152,17 +155,18 @@ void Simulation::find_normal_forces() {
 
 void Simulation::find_contact() {
   kernels().contact(parameters_.Nx, state_.u_z.row(0), foundation_stiffness(parameters_),
-                    static_cast<double>(parameters_.N_s), parameters_.kappa, contact());
+                    static_cast<double>(parameters_.N_s), kappa_.data(), contact());
   if (parameters_.k_ij_from == StiffnessFrom::current) return;
   for (std::size_t i = 0; i < p_.size(); ++i) {
-    k_ij_[i] = junction_stiffness(parameters_, p_[i]);
-    w_[i] = friction_stretch(parameters_, p_[i]);
+    const auto block = static_cast<std::int64_t>(i);
+    k_ij_[i] = junction_stiffness(parameters_, block, p_[i]);
+    w_[i] = friction_stretch(parameters_, block, p_[i]);
   }
 }
 
 /// Adds the dashpots to the force of the support on the side where that is.
 void Simulation::damp_support() {
-  const bool is_below = !normal_.has_constant_p();
+  const bool is_below = !has_constant_p(parameters_);
   const double* v_z = state_.v_z.row(is_below ? 0 : parameters_.Nz - 1);
   dashpot_power_ = 0.0;
   for (std::size_t i = 0; i < p_.size(); ++i) {
@@ -223,8 +227,9 @@ Energies Simulation::energies() const {
   e.bulk = bulk_.elastic_energy(state_.u_x, state_.u_z);
   for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
     const double bottom = state_.u_z(i, 0), top = state_.u_z(i, parameters_.Nz - 1);
-    e.contact += normal_.contact_energy(bottom, top);
-    e.load += normal_.load_energy(bottom, top);
+    const NormalContact& normal = normal_[static_cast<std::size_t>(i)];
+    e.contact += normal.contact_energy(bottom, top);
+    e.load += normal.load_energy(bottom, top);
   }
   e.driving = parameters_.K > 0.0 ? 0.5 * F_T_ * F_T_ / parameters_.K : 0.0;
   return e;

@@ -104,14 +104,13 @@ Matrix stiffness(const Parameters& p, const LoadCase& load_case, const Unknowns&
   Triplets triplets;
   triplets.reserve(static_cast<std::size_t>(64 * p.Nx * p.Nz));
   add_springs(p, unknown, state, triplets);
-  const NormalContact contact(p);
   const Eigen::Index top = p.Nz - 1;
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto forces = interface_forces(p, load_case, state, i);
     Block2 tangent;
     tangent << forces.dtau_dux, forces.dtau_duz, 0.0, -forces.dp_duz;
     add_block(triplets, unknown(i, 0), unknown(i, 0), tangent);
-    const double slope = contact.top_force_slope(state.u_z(i, top));
+    const double slope = NormalContact(p, i).top_force_slope(state.u_z(i, top));
     if (slope > 0.0) triplets.emplace_back(unknown(i, top) + 1, unknown(i, top) + 1, slope);
   }
   if (load_case.K > 0.0) {
@@ -148,13 +147,12 @@ void add_displacement(const Parameters& p, const Unknowns& unknown, const Vector
 /// Net static force on every block [N]; overwrites f.
 void static_forces(const Parameters& p, const LoadCase& load_case, Bulk& bulk, const State& state,
                    Field& f_x, Field& f_z) {
-  const NormalContact contact(p);
   bulk.elastic(state.u_x, state.u_z, f_x, f_z);
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const auto forces = interface_forces(p, load_case, state, i);
     f_x(i, 0) -= forces.tau;
     f_z(i, 0) += forces.p;
-    f_z(i, p.Nz - 1) -= contact.top_force(state.u_z(i, p.Nz - 1));
+    f_z(i, p.Nz - 1) -= NormalContact(p, i).top_force(state.u_z(i, p.Nz - 1));
   }
   if (load_case.K > 0.0) f_x(0, driving_row(p)) -= load_case.K * state.u_x(0, driving_row(p));
 }
@@ -202,10 +200,11 @@ State compressed(const Parameters& p) {
                      p.Nx * p.Nz, kMostBlocks);
   }
   State state(p);
-  const NormalContact contact(p);
-  for (Eigen::Index j = 0; j < p.Nz; ++j) {
-    const double u_z = contact.compressed_u_z(static_cast<double>(j) * block_spacing(p));
-    for (Eigen::Index i = 0; i < p.Nx; ++i) state.u_z(i, j) = u_z;
+  for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const NormalContact contact(p, i);
+    for (Eigen::Index j = 0; j < p.Nz; ++j) {
+      state.u_z(i, j) = contact.compressed_u_z(static_cast<double>(j) * block_spacing(p));
+    }
   }
   return state;
 }
@@ -213,13 +212,13 @@ State compressed(const Parameters& p) {
 InterfaceForces interface_forces(const Parameters& p, const LoadCase& load_case, const State& state,
                                  Eigen::Index i) {
   const double u_x = state.u_x(i, 0), u_z = state.u_z(i, 0);
-  const NormalContact contact(p);
+  const NormalContact contact(p, i);
   const double normal = contact.normal_force(u_z);
   const double dp_duz = contact.normal_force_slope(u_z);
   if (load_case.tau)
     return {normal, (*load_case.tau)[static_cast<std::size_t>(i)], dp_duz, 0.0, 0.0};
   if (!(normal > 0.0)) return {0.0, 0.0, 0.0, 0.0, 0.0};
-  const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, normal);
+  const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, i, normal);
   const bool k_i_varies = p.k_ij_from == StiffnessFrom::current;  // then with the root of p_i
   return {normal, k_i * u_x, dp_duz, k_i, k_i_varies ? dp_duz * k_i * u_x / (2.0 * normal) : 0.0};
 }

@@ -15,22 +15,24 @@ class BlockSummary {
  public:
   /// Reads `junctions`, which must outlive the summary.
   BlockSummary(const Parameters& p, Junctions& junctions)
-      : mu_s_(p.mu_s),
-        N_s_(static_cast<std::int32_t>(p.N_s)),
+      : N_s_(static_cast<std::int32_t>(p.N_s)),
         junctions_(junctions),
         sum_(static_cast<std::size_t>(p.Nx)),
         lowest_(sum_),
         highest_(sum_),
         next_repin_(sum_),
         pinned_(sum_.size()) {
-    for (Eigen::Index i = 0; i < p.Nx; ++i) refresh(i);
+    for (Eigen::Index i = 0; i < p.Nx; ++i) {
+      mu_s_.push_back(p.mu_s[i]);
+      refresh(i);
+    }
   }
 
   /// True if no junction of block i can break, be pinned again or lose contact at time t [s], with
   /// the block at u [m]; w: see ContactView.
   bool is_quiet(Eigen::Index i, double u, double w, double t) const {
     const auto b = static_cast<std::size_t>(i);
-    const double f_thres_stretch = mu_s_ * w;
+    const double f_thres_stretch = mu_s_[b] * w;
     return w > 0.0 && u - lowest_[b] <= f_thres_stretch && highest_[b] - u <= f_thres_stretch &&
            t < next_repin_[b];
   }
@@ -76,9 +78,9 @@ class BlockSummary {
   const std::vector<std::int32_t>& pinned() const { return pinned_; }
 
  private:
-  const double mu_s_;
   const std::int32_t N_s_;
   Junctions& junctions_;
+  std::vector<double> mu_s_;              // threshold coefficient of each block
   std::vector<double> sum_;               // of all attachment points [m]
   std::vector<double> lowest_, highest_;  // attachment points of pinned junctions [m]
   std::vector<double> next_repin_;        // earliest repin time [s]

@@ -44,18 +44,18 @@ class DecayingLaw final : public JunctionLaw<DecayingLaw> {
     const std::uint32_t draws = junctions_.draws(i, j);
     const double t_R = slipping_time(parameters_, static_cast<std::uint32_t>(i),
                                      static_cast<std::uint32_t>(j), draws > 0 ? draws - 1 : 0);
-    rate_(i, j) = t_R > 0.0 ? (parameters_.mu_d - parameters_.mu_new) / t_R : 0.0;
+    rate_(i, j) = t_R > 0.0 ? (parameters_.mu_d[i] - parameters_.mu_new[i]) / t_R : 0.0;
   }
   /// f_slip(t_s) / k_ij.
   double slip_stretch(Eigen::Index i, Eigen::Index j, double w, double t) const {
     const double time_left = junctions_.repin_time(i, j) - t;
-    return w * std::clamp(parameters_.mu_new + rate_(i, j) * time_left, parameters_.mu_new,
-                          parameters_.mu_d);
+    return w * std::clamp(parameters_.mu_new[i] + rate_(i, j) * time_left, parameters_.mu_new[i],
+                          parameters_.mu_d[i]);
   }
   void pin(Eigen::Index i, Eigen::Index j, double u, double w) {
     double& a = junctions_.attachment(i, j);
     if (parameters_.repin == Repin::as_is || a == u) return;
-    a = u - std::copysign(parameters_.mu_new * w, u - a);
+    a = u - std::copysign(parameters_.mu_new[i] * w, u - a);
   }
   void trail(Eigen::Index i, double u, double w, double t) {
     for (Eigen::Index j = 0; j < junctions_.attachment.cols(); ++j) {

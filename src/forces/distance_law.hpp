@@ -21,8 +21,9 @@ class DistanceLaw final : public JunctionLaw<DistanceLaw> {
 
   void start_slipping(Eigen::Index i, Eigen::Index j, double /*t*/) override {
     const Parameters& p = parameters_;
-    const double d_R = folded_gaussian(p.d_R, p.delta_d_R, p.seed, static_cast<std::uint32_t>(i),
-                                       static_cast<std::uint32_t>(j), junctions_.draws(i, j)++);
+    const double d_R =
+        folded_gaussian(p.d_R[i], p.delta_d_R[i], p.seed, static_cast<std::uint32_t>(i),
+                        static_cast<std::uint32_t>(j), junctions_.draws(i, j)++);
     junctions_.slip_left(i, j) = std::max(d_R, std::numeric_limits<double>::min());  // 0: pinned
     junctions_.repin_time(i, j) = Junctions::unknown;
   }

@@ -48,7 +48,7 @@ class JunctionLaw : public InterfaceLaw {
   const std::vector<std::int32_t>& pinned() const final { return blocks_.pinned(); }
 
   void break_spring(Eigen::Index i, Eigen::Index j, double u, double w, double t) final {
-    const double stretch = parameters_.mu_d * w;
+    const double stretch = parameters_.mu_d[i] * w;
     double& a = junctions_.attachment(i, j);
     a = u > a ? u - stretch : u + stretch;
     start_slipping(i, j, t);
@@ -66,8 +66,8 @@ class JunctionLaw : public InterfaceLaw {
 
  protected:
   /// Slipping force / k_ij of a junction at time t [m].
-  double slip_stretch(Eigen::Index /*i*/, Eigen::Index /*j*/, double w, double /*t*/) const {
-    return parameters_.mu_d * w;
+  double slip_stretch(Eigen::Index i, Eigen::Index /*j*/, double w, double /*t*/) const {
+    return parameters_.mu_d[i] * w;
   }
   /// Whether a junction is pinned again at time t, after sliding by another `slid` [m].
   bool is_over(Eigen::Index i, Eigen::Index j, double /*slid*/, double t) const {
@@ -75,11 +75,11 @@ class JunctionLaw : public InterfaceLaw {
   }
   /// Makes of it a pinned one, with the block at u [m] and w as in ContactView.
   void pin(Eigen::Index i, Eigen::Index j, double u, double /*w*/) {
-    if (parameters_.f_new == NewForce::zero) junctions_.attachment(i, j) = u;
+    if (parameters_.f_new[i] == NewForce::zero) junctions_.attachment(i, j) = u;
   }
   /// Lets the slipping junctions of a block trail in which nothing breaks or is pinned.
   void trail(Eigen::Index i, double u, double w, double /*t*/) {
-    const double stretch = parameters_.mu_d * w;
+    const double stretch = parameters_.mu_d[i] * w;
     blocks_.trail(i, u - stretch, u + stretch);
   }
 
@@ -92,7 +92,7 @@ class JunctionLaw : public InterfaceLaw {
   Own& own() { return static_cast<Own&>(*this); }
 
   void update_block(Eigen::Index i, double u, double w, double t, Changes& changes) {
-    const double f_thres_stretch = parameters_.mu_s * w;
+    const double f_thres_stretch = parameters_.mu_s[i] * w;
     const bool contact = w > 0.0;
     for (Eigen::Index j = 0; j < junctions_.attachment.cols(); ++j) {
       double& a = junctions_.attachment(i, j);

@@ -56,8 +56,8 @@ class SimplifiedLaw final : public InterfaceLaw {
   void break_spring(Eigen::Index i, Eigen::Index j, double u, double w, double t) override {
     double& a = junctions_.attachment(i, j);
     const double direction = u > a ? 1.0 : -1.0;
-    a = u - direction * parameters_.mu_d * w;
-    junctions_.slow_until(i, j) = direction * (t + parameters_.t_R);
+    a = u - direction * parameters_.mu_d[i] * w;
+    junctions_.slow_until(i, j) = direction * (t + parameters_.t_R[i]);
     junctions_.repin_time(i, j) = Junctions::unknown;
     pinned_[static_cast<std::size_t>(i)] = 0;
   }
@@ -68,9 +68,9 @@ class SimplifiedLaw final : public InterfaceLaw {
     double& a = junctions_.attachment(i, 0);
     double& repin_time = junctions_.repin_time(i, 0);
     const double slow_until = junctions_.slow_until(i, 0);
-    const double slip_stretch = parameters_.mu_d * w;
+    const double slip_stretch = parameters_.mu_d[i] * w;
     if (t < std::abs(slow_until)) {
-      a += std::copysign(parameters_.v_slow * parameters_.dt, slow_until);
+      a += std::copysign(parameters_.v_slow[i] * parameters_.dt, slow_until);
     }
     if (!(w > 0.0)) a = u;
     if (is_slipping(repin_time)) {
@@ -81,7 +81,7 @@ class SimplifiedLaw final : public InterfaceLaw {
         pinned_[static_cast<std::size_t>(i)] = 1;
         ++changes.repinned;
       }
-    } else if (std::abs(u - a) > parameters_.mu_s * w) {
+    } else if (std::abs(u - a) > parameters_.mu_s[i] * w) {
       break_spring(i, 0, u, w, t);
       ++changes.broken;
     }

@@ -39,6 +39,9 @@ double shear_wave_speed(const Parameters& p) {
 double mean_normal_force(const Parameters& p) {
   return p.F_N / static_cast<double>(p.Nx);
 }
+double column_load(const Parameters& p, std::int64_t i) {
+  return mean_normal_force(p) * p.load[i];
+}
 
 double spring_stiffness(const Parameters& p, std::int64_t i, std::int64_t j, int ix, int iz) {
   const bool on_face = (iz == 0 && (j == 0 || j + 1 == p.Nz)) ||  //
@@ -71,34 +74,38 @@ std::int64_t springs_per_block(const Parameters& p) {
   return law_info(p.law).springs == SpringsPerBlock::one ? 1 : p.N_s;
 }
 
-double junction_stiffness(const Parameters& p, double p_i) {
+double junction_stiffness(const Parameters& p, std::int64_t i, double p_i) {
   const bool initial = p.k_ij_from == StiffnessFrom::initial && p_i > 0.0;
-  return junction_stiffness(p.kappa, static_cast<double>(p.N_s),
+  return junction_stiffness(p.kappa[i], static_cast<double>(p.N_s),
                             initial ? mean_normal_force(p) : p_i);
 }
 
-double mean_slipping_time(const Parameters& p) {
-  if (p.slipping_times == SlippingTimes::exponential || p.delta_t_R == 0.0) return p.t_R;
-  const double ratio = p.t_R / (std::numbers::sqrt2 * p.delta_t_R);
-  return p.delta_t_R * std::sqrt(2.0 / std::numbers::pi) * std::exp(-ratio * ratio) +
-         p.t_R * std::erf(ratio);
+double mean_slipping_time(const Parameters& p, std::int64_t i) {
+  const double t_R = p.t_R[i], delta = p.delta_t_R[i];
+  if (p.slipping_times == SlippingTimes::exponential || delta == 0.0) return t_R;
+  const double ratio = t_R / (std::numbers::sqrt2 * delta);
+  return delta * std::sqrt(2.0 / std::numbers::pi) * std::exp(-ratio * ratio) +
+         t_R * std::erf(ratio);
 }
 
-double friction_stretch(const Parameters& p, double p_i) {
-  const double k_ij = junction_stiffness(p, p_i);
-  if (p.k_ij_from == StiffnessFrom::current) return friction_stretch(p.kappa, k_ij, p_i);
+double friction_stretch(const Parameters& p, std::int64_t i, double p_i) {
+  const double k_ij = junction_stiffness(p, i, p_i);
+  if (p.k_ij_from == StiffnessFrom::current) return friction_stretch(p.kappa[i], k_ij, p_i);
   return p_i > 0.0 ? p_i / static_cast<double>(p.N_s) / k_ij : 0.0;
 }
 
 double stable_time_step(const Parameters& p) {
   const double edge_pressure = 4.0;  // corner blocks bear a few times the mean normal force
-  return stable_time_step(p, edge_pressure * mean_normal_force(p));
+  return stable_time_step(p, edge_pressure * mean_normal_force(p) * p.load.largest());
 }
 
 double stable_time_step(const Parameters& p, double largest_p) {
   const double k = bulk_stiffness(p);
   const double m = block_mass(p);
-  const double k_i = static_cast<double>(p.N_s) * junction_stiffness(p, largest_p);
+  const double k_ij =
+      junction_stiffness(p.kappa.largest(), static_cast<double>(p.N_s),
+                         p.k_ij_from == StiffnessFrom::initial ? mean_normal_force(p) : largest_p);
+  const double k_i = static_cast<double>(p.N_s) * k_ij;
   const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
   const double surface = std::max({interface, foundation_stiffness(p), p.K});
   const double omega = std::sqrt(std::max(6.0 * k, 5.0 * k + surface)) / std::sqrt(m);

@@ -7,10 +7,10 @@
 
 namespace rupture {
 
-NormalContact::NormalContact(const Parameters& p)
+NormalContact::NormalContact(const Parameters& p, std::int64_t i)
     : support_(p.support),
       k_f_(foundation_stiffness(p)),
-      load_(mean_normal_force(p)),
+      load_(column_load(p, i)),
       strain_(p.F_N / (p.L * p.B) / p.E),
       H_(p.H) {}
 

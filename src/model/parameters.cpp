@@ -65,26 +65,176 @@ std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
   return found - words.begin();
 }
 
-void validate_law(const Parameters& p) {
-  if (p.mu_d > p.mu_s) {
-    throw UsageError(
-        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}: a slipping junction "
-        "cannot carry more than its strength",
-        p.mu_d, p.mu_s);
+template <class T>
+T parse_value(const ParameterInfo& info, std::string_view text) {
+  if constexpr (std::is_enum_v<T>) {
+    return static_cast<T>(parse_word(info, text));
+  } else {
+    return static_cast<T>(parse_number(info, text, std::is_integral_v<T>));
   }
-  const LawInfo& law = law_info(p.law);
-  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new > p.mu_d) {
+}
+
+template <class T>
+std::string value_text(const ParameterInfo& info, T value) {
+  if constexpr (std::is_enum_v<T>) {
+    return std::string(info.valid.words[static_cast<std::size_t>(value)]);
+  } else {
+    return fmt::format("{}", value);
+  }
+}
+
+constexpr std::string_view kFrom = " from ", kTo = " to ";
+
+double parse_x(const ParameterInfo& info, std::string_view text) {
+  const auto x = number_in(in_unit(text, "m").value_or(""));
+  if (x) return *x;
+  throw UsageError("{}: '{}' is not a position along x{}", info.name, text, units_taken("m"));
+}
+
+/// "VALUE from X to X": the blocks there have this value, the others keep theirs.
+template <class T>
+AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const AlongX<T>& before,
+                     std::string_view text) {
+  const auto from = text.find(kFrom), to = text.find(kTo, from);
+  if (to == std::string_view::npos) {
+    throw UsageError("{} = '{}' has no end: write {}=VALUE from X to X", info.name, text,
+                     info.name);
+  }
+  const T value = parse_value<T>(info, text.substr(0, from));
+  const double x_from = parse_x(info, text.substr(from + kFrom.size(), to - from - kFrom.size()));
+  const double x_to = parse_x(info, text.substr(to + kTo.size()));
+  const double rounding = 1e-6 * block_spacing(p);
+  std::vector<T> blocks;
+  int inside = 0;
+  for (const double x : block_positions(p)) {
+    const bool is_inside = x >= x_from - rounding && x <= x_to + rounding;
+    blocks.push_back(is_inside ? value : before[std::ssize(blocks)]);
+    inside += is_inside ? 1 : 0;
+  }
+  if (inside == 0) {
+    throw UsageError("{} = '{}': no block is there; blocks are at 0 to {:g} m, {:g} m apart",
+                     info.name, text, p.L, block_spacing(p));
+  }
+  return AlongX<T>(std::move(blocks));
+}
+
+/// The value of each block, as parameter_text() writes them: 28x0.4,6x0.6,23x0.4.
+template <class T>
+AlongX<T> parse_blocks(const Parameters& p, const ParameterInfo& info, std::string_view text) {
+  std::vector<T> blocks;
+  for (bool more = true; more;) {
+    const auto comma = text.find(',');
+    std::string_view part = text.substr(0, comma);
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+    std::int64_t count = 1;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
+    const auto digits = static_cast<std::size_t>(end - part.data());
+    if (error == std::errc{} && part.substr(digits).starts_with('x')) {
+      part.remove_prefix(digits + 1);
+    } else {
+      count = 1;
+    }
+    if (count < 1 || count > p.Nx - std::ssize(blocks)) break;
+    blocks.insert(blocks.end(), static_cast<std::size_t>(count), parse_value<T>(info, part));
+    if (!more && std::ssize(blocks) == p.Nx) return AlongX<T>(std::move(blocks));
+  }
+  throw UsageError("{} has a list of values that is not as long as the slider: give {} values",
+                   info.name, p.Nx);
+}
+
+template <class T>
+T parse(const Parameters&, const ParameterInfo& info, const T&, std::string_view text) {
+  return parse_value<T>(info, text);
+}
+
+template <class T>
+AlongX<T> parse(const Parameters& p, const ParameterInfo& info, const AlongX<T>& before,
+                std::string_view text) {
+  if (!is_along_x(text)) return parse_value<T>(info, text);
+  const bool is_patch = text.find(kFrom) != std::string_view::npos;
+  return is_patch ? with_patch(p, info, before, text) : parse_blocks<T>(p, info, text);
+}
+
+template <class T>
+std::string text_of(const ParameterInfo& info, const T& value) {
+  return value_text(info, value);
+}
+
+template <class T>
+std::string text_of(const ParameterInfo& info, const AlongX<T>& values) {
+  if (!values.varies()) return value_text(info, values[0]);
+  std::string text;
+  const auto& blocks = values.blocks();
+  for (auto first = blocks.begin(); first != blocks.end();) {
+    const auto last = std::find_if(first, blocks.end(), [&](T value) { return value != *first; });
+    if (!text.empty()) text += ',';
+    if (last - first > 1) text += fmt::format("{}x", last - first);
+    text += value_text(info, *first);
+    first = last;
+  }
+  return text;
+}
+
+/// Calls work(info, member) for all rows that may vary along x.
+void for_each_along_x(const Parameters& p, const auto& work) {
+  for (const ParameterInfo& info : parameter_table()) {
+    std::visit(
+        [&](auto member) {
+          if constexpr (requires { (p.*member).blocks(); }) work(info, member);
+        },
+        info.member);
+  }
+}
+
+/// Weights that are 1 on average, so that the load stays F_N.
+AlongX<double> as_weights(const AlongX<double>& given) {
+  if (!given.varies()) return 1.0;
+  std::vector<double> weights = given.blocks();
+  double sum = 0.0;
+  for (const double weight : weights) sum += weight;
+  const double mean = sum / static_cast<double>(weights.size());
+  constexpr double rounding = 1e-12;
+  if (std::abs(mean - 1.0) < rounding) return given;
+  for (double& weight : weights) weight /= mean;
+  return AlongX(std::move(weights));
+}
+
+/// ", at x = 0.07 m" for a property that varies.
+std::string place_text(const Parameters& p, std::int64_t i, bool varies) {
+  return varies ? fmt::format(" at x = {:g} m", block_position(p, i)) : "";
+}
+
+void validate_lengths(const Parameters& p) {
+  for_each_along_x(p, [&](const ParameterInfo& info, auto member) {
+    const auto& blocks = (p.*member).blocks();
+    if (blocks.empty() || std::ssize(blocks) == p.Nx) return;
+    throw UsageError("{} has values for {} blocks, but slider.Nx = {}", info.name, blocks.size(),
+                     p.Nx);
+  });
+}
+
+void validate_coefficients(const Parameters& p, std::int64_t i) {
+  const std::string place = place_text(p, i, p.mu_d.varies() || p.mu_s.varies());
+  if (p.mu_d[i] > p.mu_s[i]) {
     throw UsageError(
-        "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}: under the {} law the "
+        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}{}: a slipping junction "
+        "cannot carry more than its strength",
+        p.mu_d[i], p.mu_s[i], place);
+  }
+  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new[i] > p.mu_d[i]) {
+    throw UsageError(
+        "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}{}: under the {} law the "
         "slipping force falls",
-        p.mu_new, p.mu_d, law.name);
+        p.mu_new[i], p.mu_d[i], place_text(p, i, p.mu_new.varies() || p.mu_d.varies()),
+        law_info(p.law).name);
   }
   const ParameterInfo& f_new = find_parameter("junctions.f_new");
-  if (!is_used(f_new, p.law) && p.f_new != NewForce::zero) {
+  if (!is_used(f_new, p.law) && p.f_new[i] != NewForce::zero) {
     throw UsageError(
         "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
         "under the {} law, set {}",
-        alternatives(law_names(f_new.laws)), law.name, law.slow_slip_off);
+        alternatives(law_names(f_new.laws)), law_info(p.law).name, law_info(p.law).slow_slip_off);
   }
 }
 
@@ -116,6 +266,9 @@ const std::vector<ParameterInfo>& parameter_table() {
        "bulk dampers resist the relative velocity, or its part along the spring", all, later},
       {"slider.F_N", "F_N", "N", &P::F_N, above(0, 1e9),
        "normal load on the row opposite the support"},
+      {"slider.load", "-", "1", &P::load, at_least(0, 1e3),
+       "weight of that load on each block, where it varies along x; scaled to 1 on average", all,
+       later},
       {"slider.foundation", "k_f/k", "1", &P::foundation, above(0, 100),
        "modulus of the elastic foundation or ceiling, relative to the bulk springs"},
       {"slider.foundation_damping", "eta_f^2/(k_f m)", "1", &P::foundation_damping, at_least(0, 10),
@@ -194,29 +347,45 @@ std::string range_text(const ParameterInfo& info) {
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
   const ParameterInfo& info = find_parameter(name);
   std::visit(
-      [&](auto member) {
-        using Value = std::remove_reference_t<decltype(parameters.*member)>;
-        if constexpr (std::is_enum_v<Value>) {
-          parameters.*member = static_cast<Value>(parse_word(info, text));
-        } else {
-          const bool whole = std::is_integral_v<Value>;
-          parameters.*member = static_cast<Value>(parse_number(info, text, whole));
-        }
-      },
+      [&](auto member) { parameters.*member = parse(parameters, info, parameters.*member, text); },
       info.member);
+  parameters.load = as_weights(parameters.load);
 }
 
 std::string parameter_text(const Parameters& parameters, const ParameterInfo& info) {
-  return std::visit(
-      [&](auto member) -> std::string {
-        const auto value = parameters.*member;
-        if constexpr (std::is_enum_v<std::remove_const_t<decltype(value)>>) {
-          return std::string(info.valid.words[static_cast<std::size_t>(value)]);
-        } else {
-          return fmt::format("{}", value);
-        }
-      },
-      info.member);
+  return std::visit([&](auto member) { return text_of(info, parameters.*member); }, info.member);
+}
+
+AlongX<double> values_along_x(const Parameters& p, const ParameterInfo& info,
+                              std::string_view text) {
+  return parse(p, info, AlongX<double>(0.0), text);
+}
+
+std::string along_x_text(const AlongX<double>& values) {
+  return text_of(find_parameter("slider.load"), values);
+}
+
+bool is_along_x(std::string_view text) {
+  return text.find(kFrom) != std::string_view::npos || text.find(',') != std::string_view::npos;
+}
+
+bool may_vary_along_x(const ParameterInfo& info) {
+  return std::holds_alternative<AlongX<double> Parameters::*>(info.member) ||
+         std::holds_alternative<AlongX<NewForce> Parameters::*>(info.member);
+}
+
+Parameters at_block(const Parameters& p, std::int64_t i) {
+  Parameters block = p;
+  for_each_along_x(p, [&](const ParameterInfo&, auto member) { block.*member = (p.*member)[i]; });
+  return block;
+}
+
+std::vector<const ParameterInfo*> varying(const Parameters& p) {
+  std::vector<const ParameterInfo*> found;
+  for_each_along_x(p, [&](const ParameterInfo& info, auto member) {
+    if ((p.*member).varies()) found.push_back(&info);
+  });
+  return found;
 }
 
 std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameters& b) {
@@ -245,7 +414,8 @@ void validate(const Parameters& p) {
         "the spacing {:g} m below slider.H",
         p.h, l);
   }
-  validate_law(p);
+  validate_lengths(p);
+  for (std::int64_t i = 0; i < p.Nx; ++i) validate_coefficients(p, i);
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
     throw UsageError("numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s",
                      p.dt, limit);

@@ -97,9 +97,9 @@ double folded_gaussian(double mean, double deviation, std::int64_t seed, std::ui
 double slipping_time(const Parameters& p, std::uint32_t block, std::uint32_t junction,
                      std::uint32_t n) {
   if (p.slipping_times == SlippingTimes::exponential) {
-    return -p.t_R * exact_log(uniform(p.seed, block, junction, Purpose::slipping, n));
+    return -p.t_R[block] * exact_log(uniform(p.seed, block, junction, Purpose::slipping, n));
   }
-  return folded_gaussian(p.t_R, p.delta_t_R, p.seed, block, junction, n);
+  return folded_gaussian(p.t_R[block], p.delta_t_R[block], p.seed, block, junction, n);
 }
 
 }  // namespace rupture

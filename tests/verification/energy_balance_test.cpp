@@ -71,10 +71,10 @@ State at_start(const Parameters& p, double pull) {
 double error_of_scheme(const Simulation& simulation) {
   const Parameters& p = simulation.parameters();
   const State& s = simulation.state();
-  const NormalContact normal(p);
   Field F_x(p.Nx, p.Nz), F_z(F_x);
   Bulk(p).elastic(s.u_x, s.u_z, F_x, F_z);
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
+    const NormalContact normal(p, i);
     F_z(i, 0) += normal.normal_force(s.u_z(i, 0));
     F_z(i, p.Nz - 1) -= normal.top_force(s.u_z(i, p.Nz - 1));
   }

@@ -32,7 +32,7 @@ class AtRest : public ::testing::TestWithParam<Support> {
     bottom_ = Row::Map(simulation.p().data(), p_.Nx);
     tau_ = Row::Map(simulation.tau().data(), p_.Nx);
     top_ = bottom_.NullaryExpr(
-        p_.Nx, [&](auto i) { return NormalContact(p_).top_force(state_.u_z(i, p_.Nz - 1)); });
+        p_.Nx, [&](auto i) { return NormalContact(p_, 0).top_force(state_.u_z(i, p_.Nz - 1)); });
   }
 
   const bool is_prepared_ = GetParam() == Support::ceiling;

@@ -37,8 +37,8 @@ TEST(SteadySliding, follows_renewal_theory_and_falls_monotonically_with_speed) {
 
 TEST(SteadySliding, friction_goes_from_half_mu_s_to_mu_d) {
   const Parameters p;
-  EXPECT_NEAR(measured_friction(block_of(p), 1e-6).value, p.mu_s / 2.0, 0.001);
-  EXPECT_NEAR(measured_friction(block_of(p), 10.0).value, p.mu_d, 1e-4);
+  EXPECT_NEAR(measured_friction(block_of(p), 1e-6).value, p.mu_s[0] / 2.0, 0.001);
+  EXPECT_NEAR(measured_friction(block_of(p), 10.0).value, p.mu_d[0], 1e-4);
 }
 
 }  // namespace

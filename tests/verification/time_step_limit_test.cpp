@@ -58,14 +58,15 @@ double growth_at_the_limit(Parameters p) {
 TEST(TimeStepLimit, holds_with_foundation_junctions_and_driving_spring) {
   const Parameters reference = testing::small_slider(9, 5);
   Parameters stiff_junctions = reference, stiff_foundation = reference, stiff_spring = reference;
-  stiff_junctions.kappa *= 1e4;
+  stiff_junctions.kappa = 1e4 * reference.kappa[0];
   stiff_foundation.foundation = 100.0;
   stiff_spring.K = 1e9;
   Parameters damped_foundation = stiff_foundation;
   damped_foundation.foundation_damping = 10.0;
   Parameters both = stiff_junctions;  // at h = 0 on the same block, where their stiffnesses add
   both.h = 0.0;
-  both.K = static_cast<double>(both.N_s) * junction_stiffness(both, 4.0 * mean_normal_force(both));
+  both.K =
+      static_cast<double>(both.N_s) * junction_stiffness(both, 0, 4.0 * mean_normal_force(both));
   for (const auto& p :
        {reference, stiff_junctions, stiff_foundation, damped_foundation, stiff_spring, both}) {
     EXPECT_LT(growth_at_the_limit(p), 2.0);

@@ -16,7 +16,7 @@ namespace rupture {
 // which depends on T(t_R) only through <t_R>. Limits for f_new = 0: mu_s/2 for v -> 0, mu_d for
 // v -> infinity; between them f falls monotonically if mu_d < mu_s/2.
 
-/// A sliding block of these parameters under the normal force p.
+/// A sliding block of these parameters, which vary nowhere (at_block()), under the normal force p.
 struct SteadySliding {
   Parameters parameters;
   double p = 0;  ///< [N]
@@ -43,10 +43,10 @@ Mean measured_friction(const SteadySliding& block, double v, const SteadyRun& ru
 /// Coefficient of Eq. S1: a net slip of 8.5 f_slip/k_ij during 2 <t_R>, as the paper rounds it.
 inline constexpr double kSlowSlipCoefficient = 4.2;
 
-/// Eq. S1 for a block under the normal force p: v = 4.2 tau_slip / (k_i <t_R>) with tau_slip = mu_d
+/// Eq. S1 for block i under the normal force p: v = 4.2 tau_slip / (k_i <t_R>) with tau_slip = mu_d
 /// p and k_i = N_s k_ij [m/s]. Zero without contact, and where f_new = f_slip: nothing drives slow
 /// slip then.
-double slow_slip_estimate(const Parameters& parameters, double p);
+double slow_slip_estimate(const Parameters& parameters, std::int64_t i, double p);
 
 /// The relaxation of one block. All junctions slip at f_slip at t = 0, so the force on the block is
 /// N_s f_slip, and stays so, because its neighbours move along. Junction j is pinned at its
@@ -73,8 +73,9 @@ struct Relaxation {
   } course;
 };
 
-/// One relaxation with the slipping times of block `replica`. No value if junctions still break
-/// after 100 <t_R>: they do for ever if f_thres < 2 f_slip or little more.
+/// One relaxation of a block of these parameters, which vary nowhere (at_block()), with the
+/// slipping times of block `replica`. No value if junctions still break after 100 <t_R>: they do
+/// for ever if f_thres < 2 f_slip or little more.
 std::optional<Relaxation> relax(const Parameters& parameters, std::uint32_t replica);
 
 /// Mean and spread of the fields of Relaxation over independent blocks.

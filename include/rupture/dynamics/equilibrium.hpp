@@ -33,16 +33,16 @@ State normal_load_equilibrium(const Parameters& parameters);
 // Prepared interfaces: initial states with a prescribed prestress (SI Methods, "Fronts on prepared
 // interfaces"; Figs. 3D, 4C, 4D, S3).
 //
-// p_i = F_N / Nx on every bottom block, the top row presses against an elastic ceiling, and the
-// driving point stands still. Stresses and widths are given in the paper's dimensionless forms,
+// p_i is its part of F_N on every bottom block, the top row presses against an elastic ceiling, and
+// the driving point stands still. Stresses and widths are given in the paper's dimensionless forms,
 //   tau-bar = (tau_0/p - mu_d) / (mu_s - mu_d),   sigma-bar = sigma / (f_thres - f_slip).
 
 /// Whether the junctions of the trigger region are depinned at once, which starts the event.
 enum class Trigger { depinned, pinned };
 
 struct Prestress {
-  double tau_bar = 0;    ///< prestress of the blocks at x >= x_trigger, uniform [1]
-  double sigma_bar = 0;  ///< width of phi in the pinned junctions [1]
+  AlongX<double> tau_bar = 0;    ///< prestress of the blocks at x >= x_trigger [1]
+  AlongX<double> sigma_bar = 0;  ///< width of phi in the pinned junctions [1]
   PhiShape shape = PhiShape::uniform;
   double x_trigger = 22.5e-3;    ///< blocks at x < x_trigger form the trigger region [m]
   double tau_bar_trigger = 0.3;  ///< their prestress [1]

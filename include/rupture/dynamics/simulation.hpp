@@ -89,7 +89,8 @@ class Simulation {
   [[noreturn]] void report_blow_up() const;
 
   const Parameters parameters_;
-  const NormalContact normal_;
+  std::vector<NormalContact> normal_;  // of each column
+  std::vector<double> kappa_;          // of each block [N/m^2]
   State state_;
   Bulk bulk_;
   std::unique_ptr<Helpers> helpers_;  // for all bands but one

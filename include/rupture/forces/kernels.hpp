@@ -121,8 +121,8 @@ struct Kernels {
   void (*finish)(const LatticeShape&, const Springs&, const Dampers&, const Boundary&,
                  const Motion&, const Band&, Then, const StepResult&);
 
-  /// p_i, k_ij and w of each block on a foundation (model/contact_formulas.hpp).
-  void (*contact)(std::ptrdiff_t Nx, const double* u_z, double k_f, double N_s, double kappa,
+  /// p_i, k_ij and w of each block on a foundation, from its kappa (model/contact_formulas.hpp).
+  void (*contact)(std::ptrdiff_t Nx, const double* u_z, double k_f, double N_s, const double* kappa,
                   ContactView out);
 
   /// Lets the slipping junctions of one block trail it: their attachment points are clamped to

@@ -15,6 +15,8 @@ double foundation_stiffness(const Parameters& p);  ///< k_f = foundation * k [N/
 double density(const Parameters& p);               ///< rho = M / (L H B) [kg/m^3]
 double shear_wave_speed(const Parameters& p);   ///< c_s = sqrt(G / rho), G = E / (2 (1 + nu)) [m/s]
 double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an interface block [N]
+/// Part of F_N on column i, F_N / Nx unless slider.load varies [N].
+double column_load(const Parameters& p, std::int64_t i);
 
 /// Of the foundation's dashpots, eta_f = sqrt(foundation_damping k_f m) [N s/m].
 double foundation_damping_coefficient(const Parameters& p);
@@ -40,16 +42,17 @@ std::int64_t driving_row(const Parameters& p);
 /// law.
 std::int64_t springs_per_block(const Parameters& p);
 
-/// Junction stiffness k_ij = sqrt(kappa f_N) at normal force p_i = N_s f_N on the block [N/m]. With
-/// junctions.k_ij_from = initial, f_N in it is F_N / (N_x N_s) wherever there is contact.
-double junction_stiffness(const Parameters& p, double p_i);
+/// Junction stiffness k_ij = sqrt(kappa f_N) of block i at normal force p_i = N_s f_N on the block
+/// [N/m]. With junctions.k_ij_from = initial, f_N in it is F_N / (N_x N_s) wherever there is
+/// contact.
+double junction_stiffness(const Parameters& p, std::int64_t i, double p_i);
 
-/// Mean <t_R> of the slipping times [s]: of |N(t_R, delta_t_R)|, delta_t_R sqrt(2/pi)
+/// Mean <t_R> of the slipping times of block i [s]: of |N(t_R, delta_t_R)|, delta_t_R sqrt(2/pi)
 /// exp(-t_R^2 / 2 delta_t_R^2) + t_R erf(t_R / sqrt(2) delta_t_R); of the exponential T, t_R.
-double mean_slipping_time(const Parameters& p);
+double mean_slipping_time(const Parameters& p, std::int64_t i);
 
 /// Stretch w = f_N / k_ij, so that f_thres = k_ij (mu_s w); 0 without contact [m].
-double friction_stretch(const Parameters& p, double p_i);
+double friction_stretch(const Parameters& p, std::int64_t i, double p_i);
 
 /// Largest stable time step of velocity Verlet on this lattice [s].
 ///
@@ -60,7 +63,8 @@ double friction_stretch(const Parameters& p, double p_i);
 /// The foundation's dashpots add eta_f/m to c. No block is taken to bear more than 4 F_N / Nx.
 double stable_time_step(const Parameters& p);
 
-/// The same where no block bears more than `largest_p` [N].
+/// The same where no block bears more than `largest_p` [N]. Every junction counts as stiff as the
+/// stiffest.
 double stable_time_step(const Parameters& p, double largest_p);
 
 }  // namespace rupture

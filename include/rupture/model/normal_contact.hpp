@@ -2,20 +2,23 @@
 // else needs to know which of them is below.
 //
 //   slider.support   bottom blocks            top blocks                presses where
-//   foundation       -k_f u_z, never pulls    F_N / Nx                  u_z < 0 at the bottom
-//   ceiling          F_N / Nx                 k_f u_z, never pulls      u_z > 0 at the top
+//   foundation       -k_f u_z, never pulls    column_load()             u_z < 0 at the bottom
+//   ceiling          column_load()            k_f u_z, never pulls      u_z > 0 at the top
 #pragma once
 
 #include "rupture/model/parameters.hpp"
 
 namespace rupture {
 
+/// Whether every bottom block bears its part of F_N, wherever it is: that of prepared interfaces.
+inline bool has_constant_p(const Parameters& p) {
+  return p.support == Support::ceiling;
+}
+
+/// The contact of one column of blocks.
 class NormalContact {
  public:
-  explicit NormalContact(const Parameters& p);
-
-  /// Whether p_i = F_N / Nx on every bottom block, wherever it is: that of prepared interfaces.
-  bool has_constant_p() const { return support_ == Support::ceiling; }
+  NormalContact(const Parameters& p, std::int64_t i);
 
   /// Normal force p_i on a bottom block at u_z, upwards [N].
   double normal_force(double u_z) const;
@@ -32,7 +35,7 @@ class NormalContact {
   double compression(double bottom, double top) const;
   /// Energy of the support under that column, 1/2 k_f u_z^2 where it is pressed [J].
   double contact_energy(double bottom, double top) const;
-  /// Potential of F_N / Nx on that column [J].
+  /// Potential of the load on that column [J].
   double load_energy(double bottom, double top) const;
 
   /// u_z at height z [m] under uniaxial compression, at rest between F_N and the support [m].
@@ -41,7 +44,7 @@ class NormalContact {
  private:
   Support support_;
   double k_f_;     // [N/m]
-  double load_;    // F_N / Nx [N]
+  double load_;    // column_load() [N]
   double strain_;  // F_N / (L B E)
   double H_;       // [m]
 };

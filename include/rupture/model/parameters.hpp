@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "rupture/model/along_x.hpp"
 #include "rupture/model/exact_arithmetic.hpp"
 
 namespace rupture {
@@ -66,6 +67,7 @@ struct Parameters {
   double damping = 0.1;  ///< eta^2 / (k m), dimensionless
   DampingAlong damping_along = DampingAlong::velocity;
   double F_N = 1920;                ///< normal load [N]
+  AlongX<double> load = 1.0;        ///< weight of F_N on a block of the row that carries it
   double foundation = 0.5;          ///< k_f / k, dimensionless
   double foundation_damping = 0.0;  ///< eta_f^2 / (k_f m), dimensionless
   Support support = Support::foundation;
@@ -75,21 +77,21 @@ struct Parameters {
   double V = 0.4e-3;  ///< driving speed [m/s]
   // junctions
   Law law = Law::reference;
-  std::int64_t N_s = 100;  ///< junctions per interface block
-  double mu_s = 0.4;       ///< f_thres / f_N
-  double mu_d = 0.17;      ///< f_slip / f_N
-  double kappa = 39.2e9;   ///< k_ij^2 / f_N [N/m^2]
+  std::int64_t N_s = 100;         ///< junctions per interface block
+  AlongX<double> mu_s = 0.4;      ///< f_thres / f_N
+  AlongX<double> mu_d = 0.17;     ///< f_slip / f_N
+  AlongX<double> kappa = 39.2e9;  ///< k_ij^2 / f_N [N/m^2]
   StiffnessFrom k_ij_from = StiffnessFrom::current;
-  double t_R = 2e-3;          ///< mean slipping time [s]
-  double delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
+  AlongX<double> t_R = 2e-3;          ///< mean slipping time [s]
+  AlongX<double> delta_t_R = 0.6e-3;  ///< standard deviation of the slipping time [s]
   SlippingTimes slipping_times = SlippingTimes::gaussian;
-  NewForce f_new = NewForce::zero;
+  AlongX<NewForce> f_new = NewForce::zero;
   WithoutContact without_contact = WithoutContact::follow;
-  double d_R = 1e-6;           ///< mean slipping distance of the distance law [m]
-  double delta_d_R = 0.3e-6;   ///< standard deviation of that distance [m]
-  double mu_new = 0.119;       ///< f_new / f_N of the decaying law, 0.7 mu_d
-  Repin repin = Repin::as_is;  ///< of the decaying law
-  double v_slow = 1.5e-3;      ///< speed of slow slip that the simplified law imposes [m/s]
+  AlongX<double> d_R = 1e-6;          ///< mean slipping distance of the distance law [m]
+  AlongX<double> delta_d_R = 0.3e-6;  ///< standard deviation of that distance [m]
+  AlongX<double> mu_new = 0.119;      ///< f_new / f_N of the decaying law, 0.7 mu_d
+  Repin repin = Repin::as_is;         ///< of the decaying law
+  AlongX<double> v_slow = 1.5e-3;     ///< speed of slow slip that the simplified law imposes [m/s]
   // numerics
   double dt = 2e-7;       ///< time step [s]
   std::int64_t seed = 1;  ///< key of the random numbers
@@ -99,10 +101,11 @@ struct Parameters {
 
 /// The member of Parameters that a table row describes.
 using ParameterMember =
-    std::variant<double Parameters::*, std::int64_t Parameters::*, SlippingTimes Parameters::*,
-                 NewForce Parameters::*, Law Parameters::*, Support Parameters::*,
-                 StiffnessFrom Parameters::*, WithoutContact Parameters::*, Repin Parameters::*,
-                 BulkSprings Parameters::*, EdgeSprings Parameters::*, DampingAlong Parameters::*>;
+    std::variant<double Parameters::*, AlongX<double> Parameters::*, AlongX<NewForce> Parameters::*,
+                 std::int64_t Parameters::*, SlippingTimes Parameters::*, Law Parameters::*,
+                 Support Parameters::*, StiffnessFrom Parameters::*, WithoutContact Parameters::*,
+                 Repin Parameters::*, BulkSprings Parameters::*, EdgeSprings Parameters::*,
+                 DampingAlong Parameters::*>;
 
 /// Whether a restart may give a parameter another value; not if it gives the state its meaning.
 enum class Restart { may_change, must_keep };
@@ -150,12 +153,29 @@ std::string used_text(const Parameters& parameters, const ParameterInfo& info);
 /// The values that a number may have, as in "above 0 and at most 1000".
 std::string range_text(const ParameterInfo& info);
 
-/// Sets one parameter from text. Throws UsageError if the name is unknown, the text is not a value
-/// of the right kind, or the value is outside the row's validity range.
+/// Sets one parameter from text. One that may vary along x takes "VALUE from X to X" for the blocks
+/// there (the others keep theirs), or the values of all blocks, equal neighbours as COUNTxVALUE and
+/// all separated by commas. Throws UsageError if the name is unknown, the text is not a value of
+/// the right kind, or the value is outside the row's validity range.
 void set_parameter(Parameters& parameters, std::string_view name, std::string_view text);
 
 /// The value as text that set_parameter reads back to the same bits.
 std::string parameter_text(const Parameters& parameters, const ParameterInfo& info);
+
+/// The values that such a text gives to a slider of these parameters; those it leaves out are zero.
+AlongX<double> values_along_x(const Parameters& parameters, const ParameterInfo& info,
+                              std::string_view text);
+std::string along_x_text(const AlongX<double>& values);  ///< that it reads back to the same bits
+
+/// Whether the text is one that gives blocks different values.
+bool is_along_x(std::string_view text);
+bool may_vary_along_x(const ParameterInfo& info);
+
+/// Parameters that are everywhere those of block i.
+Parameters at_block(const Parameters& parameters, std::int64_t i);
+
+/// The rows of the parameters that vary along x.
+std::vector<const ParameterInfo*> varying(const Parameters& parameters);
 
 /// The rows of the parameters in which two sets differ.
 std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameters& b);

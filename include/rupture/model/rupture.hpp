@@ -35,9 +35,9 @@ using FirstRuptures = std::vector<std::optional<double>>;
 /// at the leading edge among them, and that one after at least one other of them.
 bool spans(const Parameters& p, const FirstRuptures& first, double skip_below_x = kLoadingZone);
 
-/// Time without block ruptures that separates events, 5 t_R [s].
+/// Time without block ruptures that separates events, 5 t_R, the longest along the interface [s].
 inline double pause_between_events(const Parameters& p) {
-  return 5.0 * p.t_R;
+  return 5.0 * p.t_R.largest();
 }
 
 /// What ends a run before its last step. Breaks and events are counted from the start of the run.

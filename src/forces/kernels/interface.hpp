@@ -9,17 +9,18 @@
 namespace rupture {
 namespace {
 
-void contact(Index Nx, const double* u_z, double k_f, double N_s, double kappa, ContactView out) {
+void contact(Index Nx, const double* u_z, double k_f, double N_s, const double* kappa,
+             ContactView out) {
   double* p = out.p;
   double* k_ij = out.k_ij;
   double* w = out.w;
 #pragma omp simd
   for (Index i = 0; i < Nx; ++i) {
     const double p_i = foundation_force(k_f, u_z[i]);
-    const double k = junction_stiffness(kappa, N_s, p_i);
+    const double k = junction_stiffness(kappa[i], N_s, p_i);
     p[i] = p_i;
     k_ij[i] = k;
-    w[i] = friction_stretch(kappa, k, p_i);
+    w[i] = friction_stretch(kappa[i], k, p_i);
   }
 }
 

@@ -66,21 +66,26 @@ std::string relaxation_text(const std::optional<RelaxationEnsemble>& relaxation)
       text(relaxation->slip_at_return), text(relaxation->quiet_time));
 }
 
-/// Slow slip to expect at the mean normal force and of each block, and the relaxation of one block
-/// in `n` replicas with slipping times of their own.
+/// Slow slip to expect of the block in the middle at the mean normal force, and of each block, and
+/// the relaxation of one block in `n` replicas with slipping times of their own.
 Report estimate_of(const Checkpoint& checkpoint, int n) {
-  const Parameters& parameters = checkpoint.parameters;
-  const double t_R = mean_slipping_time(parameters);
-  const auto p_i = normal_forces(parameters, checkpoint.state);
-  const auto speed = [&](double p) { return slow_slip_estimate(parameters, p); };
+  const std::int64_t in_middle = checkpoint.parameters.Nx / 2;
+  const Parameters parameters = at_block(checkpoint.parameters, in_middle);
+  const double t_R = mean_slipping_time(parameters, in_middle);
+  const auto p_i = normal_forces(checkpoint.parameters, checkpoint.state);
+  std::vector<double> speeds_of_blocks;
+  for (const double p : p_i) {
+    const auto i = std::ssize(speeds_of_blocks);
+    speeds_of_blocks.push_back(slow_slip_estimate(checkpoint.parameters, i, p));
+  }
   const double p = std::accumulate(p_i.begin(), p_i.end(), 0.0) / static_cast<double>(p_i.size());
-  const double v = speed(p);
+  const double v = slow_slip_estimate(parameters, in_middle, p);
   const auto ensemble = relax_ensemble(parameters, n);
   const TextColumn forces = {11, "{:.4f}"}, speeds = {11, "{:.4f}", "v [mm/s]", 1e3};
   const Quantities block = {
       positions(block_positions(parameters)),
       {"p", "N", "normal force on each block", p_i, Csv::yes, forces},
-      {"v_slow_slip", "m/s", "speed of slow slip of each block by Eq. S1", each(p_i, speed),
+      {"v_slow_slip", "m/s", "speed of slow slip of each block by Eq. S1", speeds_of_blocks,
        Csv::yes, speeds},
   };
   const Quantities rows = join({
@@ -147,9 +152,13 @@ Report steady_sliding(const Parameters& p, const std::vector<double>& speeds,
 
 int measure_steady_state(const Parsed& parsed) {
   Parameters p;
-  apply(parsed.parameters, p);
+  set_parameters(parsed.parameters, p);
   validate(p);
   refuse_other_laws(p);
+  if (const auto rows = varying(p); !rows.empty()) {
+    throw UsageError("{} varies along x, but one block slides here: give one value",
+                     rows.front()->name);
+  }
   const auto v = speeds(parsed.values);
   SteadyRun run;
   run.steps_per_cycle = int_between(parsed.values, "steps-per-cycle", 100, 10000000);

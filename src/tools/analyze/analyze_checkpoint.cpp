@@ -84,9 +84,9 @@ Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
 
 /// mu-bar of a shape of phi, and friction with the default mu_s and mu_d.
 Report strength_of(const std::string& shape, double sigma_bar) {
-  const Parameters p;
+  const double mu_s = Parameters{}.mu_s[0], mu_d = Parameters{}.mu_d[0];
   const double mu_bar = effective_strength(shape_named(shape), sigma_bar);
-  const double mu = p.mu_d + mu_bar * (p.mu_s - p.mu_d);
+  const double mu = mu_d + mu_bar * (mu_s - mu_d);
   const Quantities rows = {
       {"shape", "", "uniform or bell (of a shape)", shape},
       {"sigma_bar", "1", "standard deviation over f_thres - f_slip (of a shape)", sigma_bar,
@@ -98,7 +98,7 @@ Report strength_of(const std::string& shape, double sigma_bar) {
   };
   return {rows, fmt::format("{} phi, sigma-bar = {:g}: effective static friction mu-bar = {:.7f}, "
                             "{:.7f} at mu_s = {:g} and mu_d = {:g}\n",
-                            shape, sigma_bar, mu_bar, mu, p.mu_s, p.mu_d)};
+                            shape, sigma_bar, mu_bar, mu, mu_s, mu_d)};
 }
 
 Quantities quantities_of(const std::vector<BlockStrength>& blocks) {

@@ -36,7 +36,7 @@ double fast_above(const Record& record, Eigen::Index block, double t_rupture, do
   const auto sample = std::ranges::lower_bound(record.time, t_rupture) - record.time.begin();
   const auto last = std::ssize(record.time) - 1;
   const double p = record.p(std::min(sample, last), block);
-  const double estimate = slow_slip_estimate(record.parameters, p);
+  const double estimate = slow_slip_estimate(record.parameters, block, p);
   return estimate > 0.0 ? factor * estimate : std::numeric_limits<double>::infinity();
 }
 

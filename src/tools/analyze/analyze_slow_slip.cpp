@@ -57,7 +57,7 @@ std::vector<SlowSlip> measure_slow_slips(const Record& record, const Front& fron
     const auto line = fit_slow_slip({record.time, u_x}, *time);
     if (!line) continue;
     const auto first = std::ranges::lower_bound(record.time, time->from) - record.time.begin();
-    const double estimate = slow_slip_estimate(p, record.p(first, column));
+    const double estimate = slow_slip_estimate(p, column, record.p(first, column));
     slips.push_back({front.line.x[block], time->from, time->to, line->slope, line->r_squared,
                      estimate, front.v_c[block]});
   }

@@ -57,8 +57,8 @@ ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) 
   if (numbers.empty()) return {{}, command.from, command.to, 0};
   const Record& record =
       command.record;  // whether it begins with the trigger of a prepared interface
-  const bool is_trigger = numbers.front() == 0 && record.time.front() == 0.0 &&
-                          NormalContact(record.parameters).has_constant_p();
+  const bool is_trigger =
+      numbers.front() == 0 && record.time.front() == 0.0 && has_constant_p(record.parameters);
   if (numbers.size() > 1 && !is_trigger) {
     throw Failure(
         "the record has {} events ({}): choose one with --event N or --event "

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <sstream>
 
 #include "cli/interruption.hpp"
@@ -58,34 +57,13 @@ std::optional<ParameterChange> change_by(const po::option& option, const std::st
   return ParameterChange{value.substr(0, equals), value.substr(equals + 1), where};
 }
 
+/// Only values for a part of the interface may follow each other.
 void add_once(ParameterChange change, ParameterChanges& changes) {
-  if (std::ranges::count(changes, change.name, &ParameterChange::name) > 0) {
+  if (!is_along_x(change.value) &&
+      std::ranges::count(changes, change.name, &ParameterChange::name) > 0) {
     throw UsageError("{}{} is given twice: give it once", change.where, change.name);
   }
   changes.push_back(std::move(change));
-}
-
-/// The text of an INI file, without a byte order mark.
-std::string config_text(const std::string& path) {
-  constexpr std::size_t longest = 100'000;  // bytes
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw Failure("cannot read the configuration file {}; give the path of a readable INI file",
-                  path);
-  }
-  std::string text(longest + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > longest) {
-    throw Failure("the configuration file {} is longer than {} bytes; give the path of an INI file",
-                  path, longest);
-  }
-  if (text.find('\0') != std::string::npos) {
-    throw Failure("the configuration file {} is UTF-16 or no text at all: save it as plain UTF-8",
-                  path);
-  }
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
 /// A line of an INI file without the comment that ; begins, there or behind a space, as in sweeps.
@@ -118,7 +96,7 @@ void check_name(const std::string& name, const po::options_description& options,
 /// parameters. Throws UsageError with the line, or Failure if the file cannot be read.
 ParameterChanges read_config(const std::string& path, const po::options_description& options,
                              po::variables_map& values) {
-  std::istringstream lines(config_text(path));
+  std::istringstream lines(text_of_file(path, "configuration file", "INI file"));
   ParameterChanges changes;
   po::parsed_options known(&options);
   std::string group, line;
@@ -252,7 +230,7 @@ std::string version_text(const std::string& tool) {
   return fmt::format("{} (rupture {}, commit {}, {})\n", tool, version, commit, kernels().name);
 }
 
-void apply(const ParameterChanges& changes, Parameters& parameters) {
+void set_parameters(const ParameterChanges& changes, Parameters& parameters) {
   for (const auto& [name, value, where] : changes) {
     try {
       set_parameter(parameters, name, value);

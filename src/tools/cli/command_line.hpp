@@ -60,7 +60,7 @@ Parsed parse(const Command& command, int argc, const char* const* argv);
 std::string version_text(const std::string& tool);
 
 /// Applies the changes one by one. Throws UsageError as set_parameter() does, with the place.
-void apply(const ParameterChanges& changes, Parameters& parameters);
+void set_parameters(const ParameterChanges& changes, Parameters& parameters);
 
 PhiShape shape_named(const std::string& name);
 

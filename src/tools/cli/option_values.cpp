@@ -8,6 +8,7 @@
 
 #include "cli/text.hpp"
 #include "rupture/model/error.hpp"
+#include "rupture/model/parameters.hpp"
 #include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
@@ -41,7 +42,8 @@ std::string plain_number(const std::string& word, const std::string& unit) {
 template <class T>
 std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& kind) {
   for (std::string& word : words) {
-    if (kind.kind == "number") word = plain_number(word, kind.unit);
+    const bool along_x = std::is_same_v<T, std::string> && is_along_x(word);
+    if (kind.kind == "number" && !along_x) word = plain_number(word, kind.unit);
     if (kind.kind == "input file" && word.empty()) {
       refuse("needs the path of a file (got an empty name)");
     }
@@ -94,6 +96,10 @@ po::typed_value<std::vector<double>>* list_of_seconds() {
 
 po::typed_value<double>* number(const std::string& name, const std::string& unit) {
   return described<double>({"number", name, unit});
+}
+
+po::typed_value<std::string>* number_along_x(const std::string& name) {
+  return described<std::string>({"number", name, "1"});
 }
 
 po::typed_value<int>* integer(const std::string& name) {

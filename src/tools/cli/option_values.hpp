@@ -25,6 +25,8 @@ po::typed_value<double>* seconds();
 po::typed_value<boost::optional<double>>* seconds_or(const std::string& without);  ///< or no value
 po::typed_value<std::vector<double>>* list_of_seconds();
 po::typed_value<double>* number(const std::string& name, const std::string& unit = "1");
+po::typed_value<std::string>* number_along_x(
+    const std::string& name);  ///< or many, set_parameter()
 po::typed_value<int>* integer(const std::string& name);
 po::typed_value<std::string>* seed();
 po::typed_value<std::string>* one_of(const std::string& words);  ///< such as "uniform|bell"

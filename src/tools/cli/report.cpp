@@ -41,7 +41,11 @@ Json option_json(const po::option_description& option) {
 /// Groups of options: one of each group must be given.
 Json needed_json(const Command& command, const po::options_description& options) {
   Json groups = Json::array();
-  if (command.one_needed.front() != nullptr) groups.push_back(command.one_needed);
+  Json needed = Json::array();
+  for (const char* const option : command.one_needed) {
+    if (option != nullptr) needed.push_back(option);
+  }
+  if (!needed.empty()) groups.push_back(needed);
   for (const auto& option : options.options()) {
     if (option->semantic()->is_required()) groups.push_back(Json::array({option->long_name()}));
   }
@@ -65,8 +69,26 @@ std::string json_text(const Json& json) {
 }
 
 Json json_of(const Parameters& parameters, const ParameterInfo& info) {
-  if (!info.valid.words.empty()) return parameter_text(parameters, info);
-  return std::visit([&](auto member) { return Json(parameters.*member); }, info.member);
+  return std::visit(
+      [&](auto member) -> Json {
+        const auto& value = parameters.*member;
+        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
+          return value;
+        } else if constexpr (requires { value.varies(); }) {
+          Json blocks = Json::array();
+          for (const auto one : value.blocks()) {
+            if constexpr (std::is_enum_v<std::remove_const_t<decltype(one)>>) {
+              blocks.push_back(info.valid.words[static_cast<std::size_t>(one)]);
+            } else {
+              blocks.push_back(one);
+            }
+          }
+          if (value.varies()) return blocks;
+          if (info.valid.words.empty()) return value[0];
+        }
+        return parameter_text(parameters, info);
+      },
+      info.member);
 }
 
 Json json_of(const ProvenanceEntry& entry) {

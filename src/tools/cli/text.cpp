@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
+#include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
 
 namespace rupture::tools {
@@ -32,6 +35,26 @@ std::string parameter_help() {
                     unit, info.help, info.symbol, laws_text(info));
   }
   return text;
+}
+
+std::string text_of_file(const std::string& path, std::string_view what, std::string_view form) {
+  constexpr std::size_t longest = 100'000;  // bytes
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw Failure("cannot read the {} {}; give the path of a readable {}", what, path, form);
+  }
+  std::string text(longest + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > longest) {
+    throw Failure("the {} {} is longer than {} bytes; give the path of a shorter {}", what, path,
+                  longest, form);
+  }
+  if (text.find('\0') != std::string::npos) {
+    throw Failure("the {} {} is UTF-16 or no text at all: save it as plain UTF-8", what, path);
+  }
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
 std::vector<std::string> split(std::string text, char separator) {

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,11 @@ template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   say_on(stdout, format, std::forward<Args>(args)...);
 }
+
+/// The text of a file that a user wrote, without a byte order mark. Throws Failure, saying `what`
+/// ("configuration file") in which form ("INI file") was expected, if it cannot be read, is
+/// longer than such files are, or is no UTF-8.
+std::string text_of_file(const std::string& path, std::string_view what, std::string_view form);
 
 std::vector<std::string> split(std::string text, char separator);
 

@@ -1,4 +1,5 @@
 // load: the slider under its normal load, then driven from the side.
+#include "cli/profile.hpp"
 #include "run/ends.hpp"
 #include "run/plan.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
@@ -8,7 +9,7 @@ namespace {
 
 int load(const Parsed& parsed) {
   Parameters p;
-  apply(parsed.parameters, p);
+  apply(parsed, p);
   validate(p);
   const bool is_driven = !parsed.values["until"].defaulted() || may_end_early(parsed.values);
   const double until = parsed.values["until"].defaulted() && is_driven
@@ -42,7 +43,7 @@ constinit const Command load_command = {
        options.add_options()("until", seconds()->default_value(0.0, "0"),
                              "drive until this time; 0: only the equilibrium");
      },
-     add_early_end_options, add_run_options},
+     add_early_end_options, add_profile_option, add_run_options},
     load,
     run_quantities,
     UsesParameters::yes};

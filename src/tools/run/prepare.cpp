@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cli/profile.hpp"
 #include "run/files.hpp"
 #include "run/output.hpp"
 #include "rupture/analysis/phi.hpp"
@@ -13,9 +14,9 @@ namespace {
 
 void add_prestress_options(po::options_description& options) {
   auto add = options.add_options();
-  add("tau-bar", number("T")->required(),
-      "prestress (tau_0/p - mu_d)/(mu_s - mu_d), uniform beyond the trigger region");
-  add("sigma-bar", number("S")->default_value(0.0, "0"),
+  add("tau-bar", number_along_x("T"),
+      "prestress (tau_0/p - mu_d)/(mu_s - mu_d) beyond the trigger region");
+  add("sigma-bar", number_along_x("S")->default_value("0"),
       "standard deviation of the junction forces over f_thres - f_slip");
   add("shape", one_of("uniform|bell")->default_value("uniform"),
       "shape of the distribution of junction forces");
@@ -26,10 +27,11 @@ void add_prestress_options(po::options_description& options) {
   add("no-trigger", "leave the junctions of the trigger region pinned");
 }
 
-Prestress prestress_of(const po::variables_map& values) {
+Prestress prestress_of(const Parsed& parsed, const Parameters& p) {
+  const po::variables_map& values = parsed.values;
   Prestress prestress;
-  prestress.tau_bar = values["tau-bar"].as<double>();
-  prestress.sigma_bar = non_negative(values, "sigma-bar");
+  prestress.tau_bar = along_x(parsed, p, "tau-bar");
+  prestress.sigma_bar = along_x(parsed, p, "sigma-bar");
   prestress.shape = shape_named(values["shape"].as<std::string>());
   prestress.x_trigger = non_negative(values, "x-trigger");
   prestress.tau_bar_trigger = values["tau-bar-trigger"].as<double>();
@@ -67,7 +69,7 @@ Prepared measured(const Parameters& p, const Prestress& prestress, const State& 
     result.error = std::max(result.error, std::abs(blocks[i].tau() / wanted[i] - 1.0));
   }
   const auto& last = blocks.back();
-  result.prestress = last.mean / last.f_thres * p.mu_s;
+  result.prestress = last.mean / last.f_thres * p.mu_s[p.Nx - 1];
   result.sigma_bar = last.sigma_bar();
   result.largest_sigma_bar = largest_sigma_bar(p, prestress);
   result.F_T = driving_force(p, state);
@@ -89,26 +91,32 @@ Quantities quantities_of(const Prepared& s) {
 
 std::string text_of(const Prepared& s, const Prestress& prestress) {
   return fmt::format(
-      "tau/p = {:.6f} beyond x = {:g} m, within {:.1e} of the requested value\n"
+      "tau/p = {:.6f} {}, within {:.1e} of the requested value\n"
       "sigma-bar = {:.6f}; the largest possible is {:.6f}\n"
       "F_T = {:.6f} N balances the prestress; {} of {} blocks are depinned\n",
-      s.prestress, prestress.x_trigger, s.error, s.sigma_bar, s.largest_sigma_bar, s.F_T,
-      s.depinned, s.blocks);
+      s.prestress,
+      prestress.tau_bar.varies() ? "at the leading edge"
+                                 : fmt::format("beyond x = {:g} m", prestress.x_trigger),
+      s.error, s.sigma_bar, s.largest_sigma_bar, s.F_T, s.depinned, s.blocks);
 }
 
 int prepare(const Parsed& parsed) {
   Parameters p = default_parameters();
-  apply(parsed.parameters, p);
+  apply(parsed, p);
   if (p.V != 0.0) {
     throw UsageError(
         "driving.V must be 0 (got {:g} m/s): a prepared interface is at rest; set it in restart",
         p.V);
   }
   validate(p);
-  const Prestress prestress = prestress_of(parsed.values);
+  const Prestress prestress = prestress_of(parsed, p);
   const OutputOptions output = output_options(parsed.values);
+  po::variables_map values = parsed.values;
+  values.insert({"tau-bar", {}});
+  values.at("tau-bar").value() = along_x_text(prestress.tau_bar);
+  values.at("sigma-bar").value() = along_x_text(prestress.sigma_bar);
   const auto command = with_options(rebuild_command("prepare", default_parameters(), p),
-                                    add_prestress_options, parsed.values);
+                                    add_prestress_options, values);
 
   check_output(output);
   const Checkpoint prepared = {
@@ -129,9 +137,10 @@ constinit const Command prepare_command = {
     "Writes a checkpoint of a slider at rest whose interface carries a prescribed prestress,\n"
     "with its trigger region just depinned; restart then runs the event. The normal force is\n"
     "the same on all interface blocks (slider.support = ceiling), and driving.V is 0.",
-    {add_prestress_options, add_checkpoint_options},
+    {add_prestress_options, add_profile_option, add_checkpoint_options},
     prepare,
     [] { return with_files(quantities_of(Prepared{})); },
-    UsesParameters::yes};
+    UsesParameters::yes,
+    {"tau-bar", "profile"}};
 
 }  // namespace rupture::tools

@@ -1,5 +1,6 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 
+#include "cli/profile.hpp"
 #include "run/ends.hpp"
 #include "run/plan.hpp"
 
@@ -49,7 +50,7 @@ int restart(const Parsed& parsed) {
 
   Checkpoint checkpoint = read_checkpoint(path);
   const Parameters before = checkpoint.parameters;
-  apply(parsed.parameters, checkpoint.parameters);
+  apply(parsed, checkpoint.parameters);
   checkpoint.state = continued(std::move(checkpoint.state), checkpoint.parameters);
   checkpoint.provenance.push_back(
       make_provenance("restart", parsed.arguments, checkpoint.checksum,
@@ -68,7 +69,7 @@ constinit const Command restart_command = {
     "Continues a checkpoint. With unchanged parameters the result is bit for bit that of "
     "the\nuninterrupted run; --set changes parameters from now on, e.g. --set driving.V=0.\n"
     "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
-    {add_restart_options, add_early_end_options, add_run_options},
+    {add_restart_options, add_early_end_options, add_profile_option, add_run_options},
     restart,
     run_quantities,
     UsesParameters::yes,

@@ -111,7 +111,7 @@ TEST_F(Interface, is_measured_block_by_block) {
   double sum = 0.0, squares = 0.0;
   for (Eigen::Index j = 0; j < 100; ++j) {
     const double f =
-        junction_stiffness(p_, p_i) * (state_.u_x(2, 0) - state_.junctions.attachment(2, j));
+        junction_stiffness(p_, 0, p_i) * (state_.u_x(2, 0) - state_.junctions.attachment(2, j));
     EXPECT_DOUBLE_EQ(block.forces[static_cast<std::size_t>(j)], f);
     sum += f;
     squares += f * f;

@@ -119,7 +119,7 @@ class SlowSlipBehindAFront : public ::testing::Test {
   const Parameters p_{};
   Front front_ = made_up_front();
   const double wait_ = p_.H / shear_wave_speed(p_);
-  const double t_R_ = mean_slipping_time(p_);
+  const double t_R_ = mean_slipping_time(p_, 0);
 };
 
 TEST_F(SlowSlipBehindAFront,

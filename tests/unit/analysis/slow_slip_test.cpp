@@ -8,9 +8,9 @@ namespace {
 
 TEST(SlowSlipEstimate, is_zero_where_nothing_drives_it) {
   Parameters p;
-  EXPECT_EQ(slow_slip_estimate(p, 0.0), 0.0);
+  EXPECT_EQ(slow_slip_estimate(p, 0, 0.0), 0.0);
   p.f_new = NewForce::f_slip;
-  EXPECT_EQ(slow_slip_estimate(p, 25.0), 0.0);
+  EXPECT_EQ(slow_slip_estimate(p, 0, 25.0), 0.0);
 }
 
 TEST(Relaxation, without_breaking_slips_by_the_harmonic_sum) {
@@ -46,8 +46,8 @@ TEST(Relaxation, of_three_junctions_with_breaking_follows_the_hand) {
 
 TEST(Relaxation, counts_time_in_mean_slipping_times) {
   Parameters fast;
-  fast.t_R /= 8.0;
-  fast.delta_t_R /= 8.0;
+  fast.t_R = fast.t_R[0] / 8.0;
+  fast.delta_t_R = fast.delta_t_R[0] / 8.0;
   EXPECT_DOUBLE_EQ(relax(fast, 3)->duration, relax(Parameters{}, 3)->duration);
   Parameters equal;
   equal.delta_t_R = 0.0;

@@ -144,14 +144,14 @@ double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
   Parameters p;
   p.Nx = 1;
   p.N_s = 10000;
-  double p_i = 33.7, k_ij = junction_stiffness(p, p_i);
+  double p_i = 33.7, k_ij = junction_stiffness(p, 0, p_i);
   double w = p_i / static_cast<double>(p.N_s) / k_ij;  // f = mu f_N at a stretch of mu w
-  const double a = sigma_bar / unit_sigma(shape), range = p.mu_s - p.mu_d;
+  const double a = sigma_bar / unit_sigma(shape), range = p.mu_s[0] - p.mu_d[0];
   const auto xi = unit_quantiles(shape, p.N_s);
   Junctions junctions = State(p).junctions;
   for (Eigen::Index j = 0; j < p.N_s; ++j) {
     const double g = mean + a * xi[static_cast<std::size_t>(j)];
-    junctions.attachment(0, j) = -(p.mu_d + range * g) * w;
+    junctions.attachment(0, j) = -(p.mu_d[0] + range * g) * w;
   }
   const auto law = make_law(p, junctions);
   const ContactView contact{&p_i, &k_ij, &w};
@@ -164,7 +164,7 @@ double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
     law->friction(&u, contact, &tau);
     tau_max = std::max(tau_max, tau);
   }
-  return (tau_max / p_i - p.mu_d) / range;
+  return (tau_max / p_i - p.mu_d[0]) / range;
 }
 
 TEST(Strength, is_what_the_reference_law_bears_whatever_the_mean_force) {

@@ -24,8 +24,10 @@ Content content_of(Law law) {
 Content changed(Law law, const ParameterInfo& info) {
   Parameters parameters;
   const bool whole = std::holds_alternative<std::int64_t Parameters::*>(info.member);
-  const std::string_view number = whole ? "7" : "0.7";  // valid in every row, and no default
-  set_parameter(parameters, info.name, info.valid.words.empty() ? number : info.valid.words.back());
+  std::string text = whole ? "7" : "0.7";  // valid in every row, and no default
+  if (!info.valid.words.empty()) text = info.valid.words.back();
+  if (may_vary_along_x(info)) text += " from 0 to 10mm";
+  set_parameter(parameters, info.name, text);
   parameters.law = law;
   return parameters_content(parameters);
 }

@@ -185,7 +185,7 @@ TEST_F(RecordWithParts, knows_its_levels_without_any_crossing) {
 // 0.55 * 100 is more than 55: earlier builds recorded the crossing when 55 were still pinned.
 TEST_F(RecordWithParts, may_have_a_crossing_at_its_level_or_below) {
   Parameters p = small_parameters();
-  p.kappa *= static_cast<double>(p.N_s) / 100;  // as stiff
+  p.kappa = p.kappa[0] * static_cast<double>(p.N_s) / 100;  // as stiff
   p.N_s = 100;
   for (const int crossed : {1, 2}) {
     const RecordParts parts = {.crossing_levels = {0.55}};

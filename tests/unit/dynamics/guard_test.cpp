@@ -85,7 +85,7 @@ TEST(Guard, finds_a_block_pressed_so_hard_that_the_time_step_is_too_long) {
   State state = normal_load_equilibrium(p);
   EXPECT_TRUE(findings_at_once(p, state).empty());
   state.u_z(3, 0) *= 6.0;
-  const double p_3 = NormalContact(p).normal_force(state.u_z(3, 0));
+  const double p_3 = NormalContact(p, 0).normal_force(state.u_z(3, 0));
   EXPECT_LT(stable_time_step(p, p_3), p.dt);
   EXPECT_GT(stable_time_step(p), p.dt);
   expect_one(findings_at_once(p, state), Check::time_step, Severity::alarm,
@@ -124,7 +124,7 @@ TEST(Guard, finds_an_error_since_the_last_look_that_is_small_since_the_start) {
   p.kappa = 5e14;
   p.mu_s = 100.0;
   State state = normal_load_equilibrium(p);
-  state.v_x.blocks() = v_stop + p.mu_d * p.F_N / p.M * t_stop;
+  state.v_x.blocks() = v_stop + p.mu_d[0] * p.F_N / p.M * t_stop;
   state.junctions.attachment.colwise() = state.u_x.blocks().row(0).transpose();
   state.junctions.repin_time.setConstant(t_stop);
   Simulation simulation(p, state);
@@ -144,8 +144,8 @@ TEST(Guard, allows_a_short_account_a_larger_error) {
 TEST(Guard, warns_of_slipping_junctions_beyond_the_slipping_force_at_the_start) {
   const Parameters p = quick_slider();
   State state = normal_load_equilibrium(p);
-  const double w = friction_stretch(p, NormalContact(p).normal_force(state.u_z(2, 0)));
-  state.junctions.attachment(2, 0) = state.u_x(2, 0) + 1.01 * p.mu_d * w;
+  const double w = friction_stretch(p, 0, NormalContact(p, 0).normal_force(state.u_z(2, 0)));
+  state.junctions.attachment(2, 0) = state.u_x(2, 0) + 1.01 * p.mu_d[0] * w;
   EXPECT_TRUE(findings_at_once(p, state).empty()) << "pinned, and below mu_s";
   state.junctions.repin_time(2, 0) = 1.0;
   expect_one(findings_at_once(p, state), Check::strength, Severity::warning,

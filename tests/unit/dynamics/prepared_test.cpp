@@ -34,7 +34,7 @@ TEST_F(Prepared, has_the_same_p_on_every_block_which_the_ceiling_bears) {
   for (const double p_i : normal_forces(p_, state_)) EXPECT_EQ(p_i, p_.F_N / 57.0);
   double borne = 0.0;
   for (Eigen::Index i = 0; i < p_.Nx; ++i)
-    borne += NormalContact(p_).top_force(state_.u_z(i, p_.Nz - 1));
+    borne += NormalContact(p_, 0).top_force(state_.u_z(i, p_.Nz - 1));
   EXPECT_NEAR(borne, p_.F_N, 1e-10 * p_.F_N);
 }
 
@@ -152,7 +152,7 @@ TEST_F(PreparedSprings, of_the_trigger_region_have_just_broken) {
   const State state = prepared_state(p_, {0.2});
   for (Eigen::Index i = 0; i < p_.Nx; ++i) {
     EXPECT_EQ(pinned_fraction(state.junctions, i), i < 9 ? 0.0 : 1.0);
-    EXPECT_EQ(state.junctions.slow_until(i, 0), i < 9 ? p_.t_R : 0.0);
+    EXPECT_EQ(state.junctions.slow_until(i, 0), i < 9 ? p_.t_R[0] : 0.0);
   }
   EXPECT_EQ(state.junctions.draws.sum(), 0U);
 }

@@ -26,7 +26,7 @@ constexpr std::int64_t kThroughTheRupture = 2500;  // steps
 void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   std::vector<double> p_i = normal_forces(p, s), k_ij, w, tau(p_i.size());
   for (const double normal : p_i) {
-    k_ij.push_back(junction_stiffness(p, normal));
+    k_ij.push_back(junction_stiffness(p, std::ssize(k_ij), normal));
     w.push_back(normal > 0.0 ? normal / static_cast<double>(p.N_s) / k_ij.back() : 0.0);
   }
   const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
@@ -39,7 +39,7 @@ void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
   };
   for (Eigen::Index i = 0; i < p.Nx; ++i) {
     const double from_below = p_i[static_cast<std::size_t>(i)];
-    const double from_above = NormalContact(p).top_force(s.u_z(i, p.Nz - 1));
+    const double from_above = NormalContact(p, i).top_force(s.u_z(i, p.Nz - 1));
     s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
     s.f_z(i, 0) += ceiling ? from_below : damped(from_below, -s.v_z(i, 0));
     s.f_z(i, p.Nz - 1) -= ceiling ? damped(from_above, s.v_z(i, p.Nz - 1)) : from_above;
@@ -93,6 +93,10 @@ TEST(Step, follows_the_stated_order_on_every_support) {
   expect_stated_order(testing::prepared_slider());
   for (Parameters damped : {quick_slider(), testing::prepared_slider()}) {
     damped.foundation_damping = 0.5;
+    expect_stated_order(damped);
+    set_parameter(damped, "slider.load", "1.2 from 0 to 10mm");
+    set_parameter(damped, "junctions.kappa", "30e9 from 5mm to 12.5mm");
+    set_parameter(damped, "junctions.mu_s", "0.42 from 5mm to 10mm");
     expect_stated_order(damped);
   }
 }

@@ -35,7 +35,7 @@ class Interface {
 
   void press(double f_N) {
     p_i_ = f_N * static_cast<double>(p_.N_s);
-    k_ij_ = junction_stiffness(p_, p_i_);
+    k_ij_ = junction_stiffness(p_, 0, p_i_);
     w_ = f_N > 0.0 ? f_N / k_ij_ : 0.0;
   }
   /// The block comes to u at time t; its velocity has the sign of the way it came.

@@ -218,11 +218,12 @@ Bits bulk_bits(const Kernels& kernels, const Parameters& p) {
 
 Bits contact_bits(const Kernels& kernels, std::size_t Nx) {
   Noise noise(1e-5);
-  std::vector<double> u_z(Nx), p(Nx), k_ij(Nx), w(Nx);
+  std::vector<double> u_z(Nx), p(Nx), k_ij(Nx), w(Nx), kappa;
   for (double& u : u_z) u = noise();  // pressed or not
   u_z[0] = 0.0;
   u_z[1] = -0.0;
-  kernels.contact(static_cast<std::ptrdiff_t>(Nx), u_z.data(), 6.75e6, 100.0, 39.2e9,
+  while (kappa.size() < Nx) kappa.push_back(39.2e9 * static_cast<double>(1 + kappa.size() % 3));
+  kernels.contact(static_cast<std::ptrdiff_t>(Nx), u_z.data(), 6.75e6, 100.0, kappa.data(),
                   {p.data(), k_ij.data(), w.data()});
   Bits bits;
   for (const auto& values : {p, k_ij, w}) append(bits, values);

@@ -37,21 +37,21 @@ struct PlainJunction {
   std::uint32_t draws = 0;
 
   double update(const Parameters& p, std::uint32_t j, double u, double f_N, double t) {
-    const double k = std::sqrt(p.kappa * f_N), f = k * (u - attachment);
+    const double k = std::sqrt(p.kappa[0] * f_N), f = k * (u - attachment);
     const bool decays = p.law == Law::decaying, by_distance = p.law == Law::distance;
     if (f_N == 0.0) attachment = u;
     if (broken_at >= 0.0) {
       const double t_s = std::min(t - broken_at, t_R), before = attachment;
-      const double mu = decays ? p.mu_d - (p.mu_d - p.mu_new) * t_s / t_R : p.mu_d;
+      const double mu = decays ? p.mu_d[0] - (p.mu_d[0] - p.mu_new[0]) * t_s / t_R : p.mu_d[0];
       if (f_N > 0.0 && std::abs(f) > mu * f_N) attachment = u - std::copysign(mu * f_N / k, f);
       left -= std::abs(attachment - before);
       if (by_distance ? left > 0.0 : t < broken_at + t_R) return k * (u - attachment);
       broken_at = -1.0;
-      if (!decays && p.f_new == NewForce::zero) attachment = u;
-    } else if (f_N > 0.0 && std::abs(f) > p.mu_s * f_N) {
-      attachment = u - std::copysign(p.mu_d * f_N / k, f);
+      if (!decays && p.f_new[0] == NewForce::zero) attachment = u;
+    } else if (f_N > 0.0 && std::abs(f) > p.mu_s[0] * f_N) {
+      attachment = u - std::copysign(p.mu_d[0] * f_N / k, f);
       broken_at = t;
-      left = by_distance ? folded_gaussian(p.d_R, p.delta_d_R, p.seed, 0, j, draws) : 0.0;
+      left = by_distance ? folded_gaussian(p.d_R[0], p.delta_d_R[0], p.seed, 0, j, draws) : 0.0;
       t_R = slipping_time(p, 0, j, draws++);
     }
     return k * (u - attachment);
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Law, PlainHistory, kPlain, name_of);
 TEST(DecayingHistory, without_decay_is_the_reference_law_with_slow_slip_off_to_the_bit) {
   Parameters decaying = testing::hand_made(9), reference = decaying;
   decaying.law = Law::decaying;
-  decaying.mu_new = decaying.mu_d;
+  decaying.mu_new = decaying.mu_d[0];
   reference.f_new = NewForce::f_slip;
   decaying.delta_t_R = reference.delta_t_R = 0.6e-3;
   Interface one(decaying), other(reference);

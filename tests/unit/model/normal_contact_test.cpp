@@ -16,7 +16,7 @@ class NormalContactOf : public ::testing::TestWithParam<Support> {
     return p;
   }
   const Parameters p_ = with_support();
-  const NormalContact contact_{p_};
+  const NormalContact contact_{p_, 0};
 };
 
 INSTANTIATE_TEST_SUITE_P(Supports, NormalContactOf,
@@ -28,19 +28,19 @@ INSTANTIATE_TEST_SUITE_P(Supports, NormalContactOf,
 // k_f = 6.75 MN/m: 1 um is 6.75 N. The support pushes and never pulls; the other side bears F_N.
 TEST(NormalContact, comes_from_the_support_on_one_side_and_F_N_on_the_other) {
   Parameters p;
-  const NormalContact foundation(p);
+  const NormalContact foundation(p, 0);
   EXPECT_DOUBLE_EQ(foundation.normal_force(-1e-6), 6.75);
   EXPECT_EQ(foundation.normal_force(1e-6), 0.0);
   EXPECT_DOUBLE_EQ(foundation.top_force(-1e-6), 1920.0 / 57);
   EXPECT_DOUBLE_EQ(foundation.top_force(1e-6), 1920.0 / 57);
-  EXPECT_FALSE(foundation.has_constant_p());
+  EXPECT_FALSE(has_constant_p(p));
   p.support = Support::ceiling;
-  const NormalContact ceiling(p);
+  const NormalContact ceiling(p, 0);
   EXPECT_DOUBLE_EQ(ceiling.normal_force(-1e-6), 1920.0 / 57);
   EXPECT_DOUBLE_EQ(ceiling.normal_force(1e-6), 1920.0 / 57);
   EXPECT_DOUBLE_EQ(ceiling.top_force(1e-6), 6.75);
   EXPECT_EQ(ceiling.top_force(-1e-6), 0.0);
-  EXPECT_TRUE(ceiling.has_constant_p());
+  EXPECT_TRUE(has_constant_p(p));
 }
 
 TEST_P(NormalContactOf, slopes_are_the_derivatives_of_the_forces) {

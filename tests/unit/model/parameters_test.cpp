@@ -56,6 +56,7 @@ TEST(ParameterTable, accepts_its_own_defaults) {
 TEST(ParameterTable, sets_the_member_that_the_row_names_and_no_other) {
   const Parameters defaults;
   for (const auto& info : parameter_table()) {
+    if (info.name == "slider.load") continue;  // 1 wherever it does not vary
     Parameters changed;
     std::string text = is_whole(info) ? "7" : "0.7";  // valid in every row, and no default
     if (!info.valid.words.empty()) text = info.valid.words.back();
@@ -247,9 +248,9 @@ TEST(Derived, quantities_of_the_reference_slider_are_those_of_table_S1) {
   EXPECT_DOUBLE_EQ(mean, 1920.0 / 57);
   EXPECT_EQ(driving_row(p), 2);
   // k_ij = sqrt(kappa f_N) with f_N = 1920 N / (57 * 100)
-  EXPECT_DOUBLE_EQ(junction_stiffness(p, mean), std::sqrt(39.2e9 * 1920 / 5700));
-  EXPECT_DOUBLE_EQ(junction_stiffness(p, 4.0 * mean), 2.0 * junction_stiffness(p, mean));
-  EXPECT_DOUBLE_EQ(friction_stretch(p, mean), std::sqrt(1920 / 5700.0 / 39.2e9));
+  EXPECT_DOUBLE_EQ(junction_stiffness(p, 0, mean), std::sqrt(39.2e9 * 1920 / 5700));
+  EXPECT_DOUBLE_EQ(junction_stiffness(p, 0, 4.0 * mean), 2.0 * junction_stiffness(p, 0, mean));
+  EXPECT_DOUBLE_EQ(friction_stretch(p, 0, mean), std::sqrt(1920 / 5700.0 / 39.2e9));
 }
 
 TEST(Derived, stiffness_from_the_initial_force_is_that_of_an_even_load) {
@@ -258,14 +259,14 @@ TEST(Derived, stiffness_from_the_initial_force_is_that_of_an_even_load) {
   initial.k_ij_from = StiffnessFrom::initial;
   const double mean = mean_normal_force(current);
   for (const double p_i : {0.01 * mean, mean, 4.0 * mean}) {
-    EXPECT_EQ(junction_stiffness(initial, p_i), junction_stiffness(current, mean));
+    EXPECT_EQ(junction_stiffness(initial, 0, p_i), junction_stiffness(current, 0, mean));
   }
-  EXPECT_DOUBLE_EQ(friction_stretch(initial, mean), friction_stretch(current, mean));
+  EXPECT_DOUBLE_EQ(friction_stretch(initial, 0, mean), friction_stretch(current, 0, mean));
   for (const Parameters& p : {current, initial}) {
-    EXPECT_EQ(junction_stiffness(p, 0.0), 0.0);
-    EXPECT_EQ(friction_stretch(p, 0.0), 0.0);
+    EXPECT_EQ(junction_stiffness(p, 0, 0.0), 0.0);
+    EXPECT_EQ(friction_stretch(p, 0, 0.0), 0.0);
     for (const double p_i : {0.3, 30.0, 300.0}) {
-      EXPECT_DOUBLE_EQ(junction_stiffness(p, p_i) * friction_stretch(p, p_i), p_i / 100.0)
+      EXPECT_DOUBLE_EQ(junction_stiffness(p, 0, p_i) * friction_stretch(p, 0, p_i), p_i / 100.0)
           << "the strength follows the current force";
     }
   }
@@ -278,15 +279,15 @@ TEST(Derived, mean_slipping_time_is_that_of_the_folded_gaussian) {
   double sum = 0.0, weight = 0.0;
   for (int i = 0; i <= n; ++i) {
     const double z = -10.0 + 20.0 * i / n, gauss = std::exp(-0.5 * z * z);
-    sum += gauss * std::abs(p.t_R + p.delta_t_R * z);
+    sum += gauss * std::abs(p.t_R[0] + p.delta_t_R[0] * z);
     weight += gauss;
   }
-  EXPECT_NEAR(mean_slipping_time(p), sum / weight, 1e-9 * p.t_R);
+  EXPECT_NEAR(mean_slipping_time(p, 0), sum / weight, 1e-9 * p.t_R[0]);
   p.slipping_times = SlippingTimes::exponential;
-  EXPECT_EQ(mean_slipping_time(p), p.t_R);
+  EXPECT_EQ(mean_slipping_time(p, 0), p.t_R[0]);
   p.slipping_times = SlippingTimes::gaussian;
   p.delta_t_R = 0.0;
-  EXPECT_EQ(mean_slipping_time(p), p.t_R);
+  EXPECT_EQ(mean_slipping_time(p, 0), p.t_R[0]);
 }
 
 }  // namespace

@@ -42,10 +42,11 @@ TEST(SlippingTime, has_mean_and_spread_of_its_distribution) {
   strongly_folded.delta_t_R = strongly_folded.t_R;
   exponential.slipping_times = SlippingTimes::exponential;
   for (const Parameters& p : {Parameters{}, strongly_folded, exponential}) {
-    const double mean = mean_slipping_time(p);
+    const double mean = mean_slipping_time(p, 0);
     const bool folded = p.slipping_times == SlippingTimes::gaussian;  // mean square t_R^2 + sd^2
     const double sd =
-        folded ? std::sqrt(p.t_R * p.t_R + p.delta_t_R * p.delta_t_R - mean * mean) : p.t_R;
+        folded ? std::sqrt(p.t_R[0] * p.t_R[0] + p.delta_t_R[0] * p.delta_t_R[0] - mean * mean)
+               : p.t_R[0];
     double sum = 0.0, squares = 0.0;
     for (std::uint32_t n = 0; n < kDraws; ++n) {
       const double t = slipping_time(p, n / 1000, n % 1000, n % 7);
