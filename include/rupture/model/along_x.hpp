@@ -10,6 +10,8 @@ namespace rupture {
 template <class T>
 class AlongX {
  public:
+  // NOLINTNEXTLINE(*-explicit-*): a plain value is given as such
+  // cppcheck-suppress noExplicitConstructor
   AlongX(T everywhere) : first_(everywhere) {}
   /// The value of each block. Equal ones are the one value, so that comparisons, files and
   /// checksums know no difference.

@@ -84,7 +84,8 @@ Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {
 
 /// mu-bar of a shape of phi, and friction with the default mu_s and mu_d.
 Report strength_of(const std::string& shape, double sigma_bar) {
-  const double mu_s = Parameters{}.mu_s[0], mu_d = Parameters{}.mu_d[0];
+  const Parameters p;
+  const double mu_s = p.mu_s[0], mu_d = p.mu_d[0];
   const double mu_bar = effective_strength(shape_named(shape), sigma_bar);
   const double mu = mu_d + mu_bar * (mu_s - mu_d);
   const Quantities rows = {
