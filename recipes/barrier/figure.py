@@ -8,105 +8,99 @@ from measure.tables import write_table
 from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
 T_R = 2e-3  # [s]
-FIRST = 28  # block at 70 mm
-FRONTS = {
-    0.06: "arrested",
-    0.1: "slow",
-    0.15: "fast",
-    0.3: "very fast",
-}  # plain ones, with slow slip
+FIRST = 28  # block of the patch, at 70 mm
+PLAIN = (0.4, 1)  # mu_s and width of no patch
+FRONTS = {0.06: "arrested", 0.1: "slow", 0.15: "fast", 0.3: "very fast"}  # plain, with slow slip
 JUDGED = (0.15, 0.3)  # where plain fronts are fast with slow slip and without
-SHOWN = (0.15, 0.6, 2)  # tau-bar, mu_s and width of the space-time picture
 COLOURS = {"zero": BLUE, "f_slip": VERMILION}
-MARKS = {(True, True): ("o", BLACK), (True, False): ("o", BLUE), (False, True): ("s", VERMILION)}
-NAMES = {(True, True): "both cross", (True, False): "only with slow slip"}
-NAMES |= {(False, True): "only without", (False, False): "neither"}
-STOPPED = "of the patches that stop a fast front without slow slip, crossed with it"
+CROSSES = {  # with slow slip, without: name, symbol, colour
+    (True, True): ("both cross", "o", BLACK),
+    (True, False): ("only with slow slip", "o", BLUE),
+    (False, True): ("only without", "s", VERMILION),
+    (False, False): ("neither", "o", "none"),
+}
 EXPECTED = {
-    STOPPED: {"at_least": 0.5},
+    "of the patches that stop a fast front without slow slip, crossed with it": {"at_least": 0.5},
     "patches crossed only without slow slip": {"at_most": 0},
     "delay behind the plain front where only slow slip crosses, median [<t_R>]": {"at_least": 0.5},
 }
 
 
-def arrival(point):
-    """When the front has passed the patch by two blocks [s], or None."""
-    return point["front"]["t_front"][FIRST + int(point["width"]) + 1]
+def arrivals(pair, width):
+    """When the front has passed a patch by two blocks, with slow slip and without [s], or None."""
+    return [pair[f_new]["front"]["t_front"][FIRST + width + 1] for f_new in COLOURS]
 
 
-def by_place(points):
-    """The fronts by f_new, for each (tau-bar, mu_s, width)."""
-    places: dict = {}
-    for point in points:
-        place = (point["tau-bar"], point["strength"], int(point["width"]))
-        places.setdefault(place, {})[point["junctions.f_new"]] = point
-    return places
+def crossed(place, pair):
+    return tuple(t is not None for t in arrivals(pair, place[2]))
 
 
-def crossed(pair):
-    """(with slow slip, without)"""
-    return tuple(arrival(pair[f_new]) is not None for f_new in COLOURS)
+def patches(places, *tau_bars):
+    return {at: of for at, of in places.items() if at[0] in tau_bars and at[1:] != PLAIN}
 
 
-def delays(places, plain):
-    """Where only slow slip crosses: behind the plain front at the same block [<t_R>]."""
-    for place, pair in places.items():
-        if place[0] in JUDGED and crossed(pair) == (True, False):
-            block = FIRST + place[2] + 1
-            t_plain = plain[place[0], 0.4, 1]["zero"]["front"]["t_front"][block]
-            yield (arrival(pair["zero"]) - t_plain) / T_R
+def only_slow_slip(places):
+    """The patches that a fast front crosses only with slow slip."""
+    judged = patches(places, *JUDGED).items()
+    return [place for place, pair in judged if crossed(place, pair) == (True, False)]
 
 
-def own_result(places, plain):
-    judged = [crossed(pair) for place, pair in places.items() if place[0] in JUDGED]
-    stopped = [slip for slip, without in judged if not without]
-    late = list(delays(places, plain))
+def own_result(places):
+    stopped = [a for a, b in (crossed(*one) for one in patches(places, *JUDGED).items()) if not b]
+    late = [
+        arrivals(places[place], place[2])[0] - arrivals(places[place[0], *PLAIN], place[2])[0]
+        for place in only_slow_slip(places)
+    ]
     numbers = (
         float(np.mean(stopped)) if stopped else None,
-        sum(crossed(pair) == (False, True) for pair in places.values()),
-        float(np.median(late)) if late else None,
+        sum(crossed(*one) == (False, True) for one in patches(places, *FRONTS).items()),
+        float(np.median(late)) / T_R if late else None,
     )
     others: dict = {"patches that stop a fast front without slow slip": len(stopped)}
     for tau_bar, name in FRONTS.items():
-        pairs = [crossed(pair) for place, pair in places.items() if place[0] == tau_bar]
+        pairs = [crossed(*one) for one in patches(places, tau_bar).items()]
         text = f"{sum(a for a, _ in pairs)} with slow slip, {sum(b for _, b in pairs)} without"
         others[f"{name} front (tau_bar_0 = {tau_bar}), crosses of {len(pairs)} patches"] = text
     question = "does slow slip carry fronts across barriers that stop them otherwise?"
     return compared("barrier", dict(zip(EXPECTED, numbers)) | others, question, EXPECTED)
 
 
-def draw(places, plain, stem):
+def draw_fronts(axes, places):
+    """At the first patch that only slow slip crosses, from the weakest and narrowest on."""
+    tau_bar, strength, width = only_slow_slip(places)[0]
+    axes.axvspan(70 - 1.25, 70 + 2.5 * width - 1.25, color=BLACK, alpha=0.15, linewidth=0)
+    for f_new, colour in COLOURS.items():
+        for place, style in (((strength, width), "-"), (PLAIN, ":")):
+            front = places[tau_bar, *place][f_new]["front"]
+            line = [(x * 1e3, t * 1e3) for x, t in zip(front["x"], front["t_front"]) if t]
+            axes.plot(*zip(*line), style, color=colour)
+    axes.set(xlabel="$x$ [mm]", ylabel="$t$ [ms]")
+    axes.set_title(rf"$\mu_s = {strength:g}$, $\bar\tau_0 = {tau_bar:g}$")
+
+
+def draw(places, stem):
     """Maps of the patches, one for each prestress, and the fronts at one of them."""
     fig, panels = figure(DOUBLE, 0.3 * DOUBLE, ncols=5)
     for axes, (tau_bar, name) in zip(panels, FRONTS.items()):
-        for (_, strength, width), pair in ((k, v) for k, v in places.items() if k[0] == tau_bar):
-            mark, colour = MARKS.get(crossed(pair), ("o", BLACK))
-            fill = colour if any(crossed(pair)) else "none"
-            axes.plot(2.5 * width, strength, mark, color=colour, markerfacecolor=fill, markersize=4)
+        for place, pair in patches(places, tau_bar).items():
+            _, mark, fill = CROSSES[crossed(place, pair)]
+            look = {"markerfacecolor": fill, "markeredgecolor": BLACK, "markersize": 4}
+            axes.plot(2.5 * place[2], place[1], mark, **look)
         axes.set(xlabel="width [mm]", xscale="log", xlim=(1.8, 28), ylim=(0.4, 1.05))
-        axes.set_xticks([2.5, 5, 10, 20], ["2.5", "5", "10", "20"], minor=False)
-        axes.set_xticks([], minor=True)
+        axes.set_xticks([2.5, 5, 10, 20], ["2.5", "5", "10", "20"])
+        axes.minorticks_off()
         axes.set_title(rf"{name}, $\bar\tau_0 = {tau_bar:g}$")
     panels[0].set_ylabel(r"$\mu_s$ of the patch")
-    axes, (tau_bar, strength, width) = panels[-1], SHOWN
-    axes.axvspan(70 - 1.25, 70 + 2.5 * width - 1.25, color=BLACK, alpha=0.15, linewidth=0)
-    for f_new, colour in COLOURS.items():
-        for of, style in ((places[SHOWN], "-"), (plain[tau_bar, 0.4, 1], ":")):
-            front = of[f_new]["front"]
-            known = [
-                (x * 1e3, t * 1e3) for x, t in zip(front["x"], front["t_front"]) if t is not None
-            ]
-            axes.plot(*zip(*known), style, color=colour)
-    axes.set(xlabel="$x$ [mm]", ylabel="$t$ [ms]")
-    axes.set_title(rf"$\mu_s = {strength:g}$, $\bar\tau_0 = {tau_bar:g}$")
+    draw_fronts(panels[-1], places)
     save(fig, stem)
 
 
 def make(chains, results):
-    points = list(chains["fronts"])
-    plain = by_place(point for point in points if point["variant"] == "plain")
-    places = by_place(point for point in points if point["variant"] == "patch")
-    draw(places, plain, results / "barrier")
-    rows = [[*place, NAMES[crossed(pair)]] for place, pair in places.items()]
+    places: dict = {}
+    for point in chains["fronts"]:
+        place = (point["tau-bar"], point["strength"], int(point["width"]))
+        places.setdefault(place, {})[point["junctions.f_new"]] = point
+    draw(places, results / "barrier")
+    rows = [[*at, CROSSES[crossed(at, of)][0]] for at, of in patches(places, *FRONTS).items()]
     write_table(results / "barrier.csv", ["tau_bar_0", "mu_s", "width [blocks]", "crosses"], rows)
-    write_own(results, [own_result(places, plain)])
+    write_own(results, [own_result(places)])

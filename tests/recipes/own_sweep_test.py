@@ -152,7 +152,7 @@ REFUSED = [
     ("--until-quiet", "--record-every 1", "restart needs --until or --for or --until-quiet or "),
     ("front r.h5", "front r.h5 --slowbelow 0.1", "unknown option '--slowbelow'.*'--slow-below'"),
     ("-o s.h5", "", "prepare needs --output, which"),
-    (VALUES, "seed = 1", "prepare needs --tau-bar, which"),
+    (VALUES, "seed = 1", "prepare needs --tau-bar or --profile, which"),
     ("front r.h5", "slip r.h5", "analyze slip needs --x, which"),
     ("front r.h5", "frnt r.h5", "unknown command 'frnt': did you mean 'front'"),
     ("= prepare", "= prepar", "no program 'prepar': did you mean 'prepare'"),
