@@ -11,6 +11,7 @@ namespace {
 constexpr const char* kId = "/run/id";
 constexpr const char* kRecordEvery = "/run/record_every";
 constexpr const char* kFieldsEvery = "/run/fields_every";
+constexpr const char* kEveryInEvents = "/run/record_every_in_events";
 constexpr const char* kFirstStep = "/run/first_step";
 constexpr const char* kLastBreak = "/run/last_break";
 constexpr const char* kRuptures = "/run/ruptures";
@@ -116,13 +117,17 @@ Content recorded_run_content(const RecordedRun& run) {
   if (run.id.empty()) return {};
   Content content = {{kId, make_text(run.id)}, {kRecordEvery, make_scalar(run.every, "s")}};
   if (run.fields_every) content[kFieldsEvery] = make_scalar(*run.fields_every, "s");
+  if (run.every_in_events) content[kEveryInEvents] = make_scalar(*run.every_in_events, "s");
   return content;
 }
 
 RecordedRun read_recorded_run(const Content& content) {
   if (!content.contains(kId)) return {};
-  RecordedRun run = {read_text(content, kId), read_scalar<double>(content, kRecordEvery), {}};
+  RecordedRun run = {read_text(content, kId), read_scalar<double>(content, kRecordEvery), {}, {}};
   if (content.contains(kFieldsEvery)) run.fields_every = read_scalar<double>(content, kFieldsEvery);
+  if (content.contains(kEveryInEvents)) {
+    run.every_in_events = read_scalar<double>(content, kEveryInEvents);
+  }
   return run;
 }
 

@@ -52,6 +52,20 @@ def test_records_of_the_halves_are_that_of_the_whole():
         assert (first[5] is None) == (level == "0.2")
 
 
+def test_samples_are_dense_while_an_event_is_under_way():
+    """From each rupture on for 5 t_R, here 0.1 ms, at the multiples of 2 us; fields as well."""
+    output_of(
+        "load --config small.ini -o a.h5 --until 1.6e-3 --set junctions.t_R=2e-5 --record r.h5"
+        " --record-every 4e-4 --fields 8e-4 --record-every-in-events 2e-6"
+    )
+    ruptures = dataset("r.h5", "/ruptures/step")
+    dense = [n for n in range(0, 8001, 10) if ((n >= ruptures) & (n <= ruptures + 500)).any()]
+    assert 0 < len(dense) < 700
+    for path, regular in (("/series/step", 2000), ("/fields/step", 4000)):
+        steps = sorted({*dense, *range(0, 8001, regular)})
+        assert dataset("r.h5", path).tolist() == steps
+
+
 def test_the_driving_force_stays_constant_at_rest():
     output_of("load --config small.ini --set driving.V=0.05 -o a.h5 --until 5e-4")
     output_of("restart a.h5 -o rest.h5 --set driving.V=0 --for 2e-2")

@@ -40,9 +40,10 @@ struct FieldSample {
 enum class Fields { omit, record };
 /// By which --resume recognises a record; not part of the content checksum.
 struct RecordedRun {
-  std::string id = {};                      ///< that all files of the run share; empty: unknown
-  double every = 0;                         ///< sampling interval [s]
-  std::optional<double> fields_every = {};  ///< that of the fields, if there are any [s]
+  std::string id = {};                         ///< that all files of the run share; empty: unknown
+  double every = 0;                            ///< sampling interval [s]
+  std::optional<double> fields_every = {};     ///< that of the fields, if there are any [s]
+  std::optional<double> every_in_events = {};  ///< of both while an event is under way [s]
 
   bool operator==(const RecordedRun&) const = default;
 };

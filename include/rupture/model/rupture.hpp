@@ -40,6 +40,11 @@ inline double pause_between_events(const Parameters& p) {
   return 5.0 * p.t_R.largest();
 }
 
+/// Whether at `t` an event is under way whose last block ruptured at `last_rupture` [s].
+inline bool is_under_way(const Parameters& p, double last_rupture, double t) {
+  return t - last_rupture <= pause_between_events(p);
+}
+
 /// What ends a run before its last step. Breaks and events are counted from the start of the run.
 struct EarlyEnd {
   std::optional<std::int64_t> quiet_steps = {};  ///< no junction has broken for this many steps

@@ -42,7 +42,8 @@ struct StartFile {
 };
 
 /// The options that the commands of files have (run/files.hpp): those that determine the result.
-constexpr std::string_view kOfRuns = " --set --until --record-every --crossings --fields ";
+constexpr std::string_view kOfRuns =
+    " --set --until --record-every --record-every-in-events --crossings --fields ";
 constexpr std::array<std::array<std::string_view, 2>, 4> kWritten = {
     {{"load", kOfRuns},
      {"restart", kOfRuns},

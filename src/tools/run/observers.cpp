@@ -81,13 +81,17 @@ std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& 
   return read_array<std::int64_t>(rows, found->first, found->second.shape);
 }
 
-Recorder::Recorder(RecordWriter& writer, const Interval& every,
-                   const std::optional<Interval>& fields_every, const Content& rows,
-                   std::int64_t now, std::int64_t last_step)
+Recorder::Recorder(RecordWriter& writer, const RunPlan& plan)
     : writer_(writer),
-      last_step_(last_step),
-      series_(sampler(every, sampled_steps(rows, kSeriesSteps), now)) {
-  if (fields_every) fields_ = sampler(*fields_every, sampled_steps(rows, kFieldsSteps), now);
+      last_step_(plan.rule.last_step),
+      series_(sampler(plan.record_every, sampled_steps(plan.recorded, kSeriesSteps),
+                      plan.begin.state.step)),
+      in_events_(plan.in_events) {
+  const std::int64_t now = plan.begin.state.step;
+  if (plan.fields_every) {
+    fields_ = sampler(*plan.fields_every, sampled_steps(plan.recorded, kFieldsSteps), now);
+  }
+  if (in_events_) next_look_ = in_events_->after(now);
 }
 
 Recorder::Sampler Recorder::sampler(const Interval& every, const std::vector<std::int64_t>& sampled,
@@ -102,23 +106,30 @@ std::int64_t Recorder::sample_after(std::int64_t step, const Interval& every) co
 }
 
 std::int64_t Recorder::next_step() const {
-  return fields_ ? std::min(series_.next, fields_->next) : series_.next;
+  return std::min({series_.next, fields_ ? fields_->next : no_step, next_look_});
 }
 
 /// Whether a sample is to be taken, which counts as taken then.
-bool Recorder::is_due(Sampler& sampler, std::int64_t step) const {
-  if (step < sampler.next) return false;
+bool Recorder::is_due(Sampler& sampler, std::int64_t step, bool in_event) const {
+  if (step < sampler.next && !in_event) return false;
   sampler = {sampler.every, step, sample_after(step, sampler.every)};
   return true;
 }
 
 void Recorder::observe(const Simulation& simulation) {
   const State& state = simulation.state();
-  if (is_due(series_, state.step)) {
+  bool in_event = false;
+  if (state.step >= next_look_) {
+    const RunSoFar& run = simulation.run();
+    in_event = run.ruptures > 0 &&
+               is_under_way(simulation.parameters(), run.last_rupture, simulation.time());
+    next_look_ = in_events_->after(state.step);
+  }
+  if (is_due(series_, state.step, in_event)) {
     append_ruptures(simulation);  // first, so that a .part has all ruptures up to its last sample
     writer_.append(sample_of(simulation));
   }
-  if (fields_ && is_due(*fields_, state.step)) {
+  if (fields_ && is_due(*fields_, state.step, in_event)) {
     writer_.append(
         FieldSample{simulation.time(), state.step, rounded(state.u_x), rounded(state.u_z)});
   }

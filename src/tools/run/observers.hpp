@@ -15,12 +15,11 @@ inline constexpr const char* kFieldsSteps = "/fields/step";
 std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& path);
 
 /// Appends to a record: ruptures, and samples of the series and of the fields that it has, each at
-/// the first and last step of a run and whenever its interval has passed.
+/// the first and last step of a run and whenever its interval has passed, or, while an event is
+/// under way, the plan's interval in events.
 class Recorder : public Observer {
  public:
-  /// `rows`: what the record holds already.
-  Recorder(RecordWriter& writer, const Interval& every, const std::optional<Interval>& fields_every,
-           const Content& rows, std::int64_t now, std::int64_t last_step);
+  Recorder(RecordWriter& writer, const RunPlan& plan);
   std::int64_t next_step() const override;
   void observe(const Simulation& simulation) override;
   /// Takes the last samples if the run ended before `last_step`.
@@ -37,13 +36,15 @@ class Recorder : public Observer {
   Sampler sampler(const Interval& every, const std::vector<std::int64_t>& sampled,
                   std::int64_t now) const;
   std::int64_t sample_after(std::int64_t step, const Interval& every) const;
-  bool is_due(Sampler& sampler, std::int64_t step) const;
+  bool is_due(Sampler& sampler, std::int64_t step, bool in_event) const;
   void append_ruptures(const Simulation& simulation);
 
   RecordWriter& writer_;
   const std::int64_t last_step_;
   Sampler series_;
   std::optional<Sampler> fields_;
+  const std::optional<Interval> in_events_;
+  std::int64_t next_look_ = no_step;  // whether an event is under way
   std::size_t ruptures_written_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 void refuse_without_record(const po::variables_map& values) {
   if (values.count("record") > 0) return;
-  for (const char* option : {"record-every", "crossings", "fields"}) {
+  for (const char* option : {"record-every", "record-every-in-events", "crossings", "fields"}) {
     if (values.count(option) == 0 || values[option].defaulted()) continue;
     throw UsageError("--{} needs --record: give both", option);
   }
@@ -77,6 +77,9 @@ void add_run_options(po::options_description& options) {
   add("record", output_file("record"), "record time series of the interface in FILE");
   add("record-every", seconds()->default_value(1e-4, "1e-4"),
       "sampling interval of the record; the times of ruptures are exact to one time step");
+  add("record-every-in-events", seconds(),
+      "also sample at this interval, fields too, while an event is under way: from a rupture of a "
+      "block until none has ruptured for 5 t_R. --dry-run does not count these samples");
   add("crossings", text("F,..."),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
   add("fields", seconds(),
@@ -103,6 +106,7 @@ RunOptions run_options(const Parsed& parsed) {
   RunOptions run = {.output = output_options(values),
                     .checkpoint_every = optional_non_negative(values, "checkpoint-every"),
                     .record_every = non_negative(values, "record-every"),
+                    .in_events = optional_non_negative(values, "record-every-in-events"),
                     .crossings = crossing_levels(values),
                     .fields = optional_non_negative(values, "fields"),
                     .reports_alarms = values["on-alarm"].as<std::string>() == "report",
@@ -131,6 +135,9 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   plan.rule = rule;
   if (options.record) {
     plan.record_every = interval(p, clock, options.record_every, "record-every");
+  }
+  if (options.in_events) {
+    plan.in_events = interval(p, clock, *options.in_events, "record-every-in-events");
   }
   if (options.fields) plan.fields_every = interval(p, clock, *options.fields, "fields");
   plan.threads = options.threads.value_or(default_thread_count(p));

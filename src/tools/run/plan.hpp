@@ -14,6 +14,7 @@ struct RunOptions {
   std::optional<double> checkpoint_every = {};  ///< [s]
   std::optional<std::filesystem::path> record = {};
   double record_every = 1e-4;               ///< [s]
+  std::optional<double> in_events = {};     ///< while an event is under way [s]
   std::vector<double> crossings = {};       ///< pinned fractions, ascending
   std::optional<double> fields = {};        ///< sampling interval of the fields [s]
   std::optional<int> threads = {};          ///< none: as many as pay
@@ -38,6 +39,7 @@ struct RunPlan {
   Content recorded;                      ///< what its record holds up to there
   Interval record_every;                 ///< if there is a record
   std::optional<Interval> fields_every;  ///< if that has fields
+  std::optional<Interval> in_events;     ///< if it is denser then
   Checkpoints checkpoints;               ///< on the way, that are still to come
   std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
   bool rewrites_output = false;  ///< which is there already, as this run will write it

@@ -1,6 +1,7 @@
 // Finding out where an interrupted run can be taken up.
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "run/observers.hpp"
 
@@ -96,16 +97,39 @@ Content recorded(const fs::path& path, const RunPlan& plan) try {
   return {};
 }
 
+/// The steps of the samples that the run has taken when it writes the checkpoint: all those of
+/// Recorder.
+std::set<std::int64_t> steps_to_sample(const Interval& every, const Content& rows,
+                                       const Checkpoint& checkpoint, bool at_end,
+                                       const RunPlan& plan) {
+  const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
+  std::set<std::int64_t> steps = {first};
+  for (auto at = every.after(first); at <= step; at = every.after(at)) steps.insert(at);
+  if (at_end) steps.insert(step);
+  if (!plan.in_events) return steps;
+  const Parameters& p = checkpoint.parameters;
+  std::int64_t seen = first;
+  for (const std::int64_t rupture : sampled_steps(rows, "/ruptures/step")) {
+    const double t = time_at(p, checkpoint.state.clock, rupture);
+    seen = std::max(seen, rupture - 1);
+    for (auto at = plan.in_events->after(seen);
+         at <= step && is_under_way(p, t, time_at(p, checkpoint.state.clock, at));
+         at = plan.in_events->after(at)) {
+      steps.insert(seen = at);
+    }
+  }
+  return steps;
+}
+
 /// True if these rows are all that the record held when the run wrote the checkpoint, which is at
 /// its end or on its way.
 bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& path,
            const RunPlan& plan) {
-  const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
+  const std::int64_t step = checkpoint.state.step;
   const bool at_end = path == plan.options.output.output || step == plan.rule.last_step;
   const auto have_samples = [&](const char* path_of_steps, const Interval& every) {
-    const auto steps = sampled_steps(rows, path_of_steps);
-    const std::int64_t last = at_end ? step : std::max(first, every.last_until(step));
-    return std::ssize(steps) == every.samples(first, last) && steps.back() == last;
+    return std::ranges::equal(sampled_steps(rows, path_of_steps),
+                              steps_to_sample(every, rows, checkpoint, at_end, plan));
   };
   return have_samples(kSeriesSteps, plan.record_every) &&
          (!plan.fields_every || have_samples(kFieldsSteps, *plan.fields_every)) &&

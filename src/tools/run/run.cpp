@@ -114,8 +114,7 @@ class Run : private Observer {
     const std::int64_t last = plan.rule.last_step;
     writer_.emplace(*plan.options.record, begin_.parameters, recorded_until(plan, last),
                     if_record_exists(plan.options), plan.recorded, parts);
-    recorder_.emplace(*writer_, plan.record_every, plan.fields_every, plan.recorded,
-                      begin_.state.step, last);
+    recorder_.emplace(*writer_, plan);
   }
 
   /// Runs; if that fails, what was sampled so far stays readable in the record's .part.
