@@ -44,11 +44,13 @@ void record_cost(benchmark::State& bench, Fields fields, std::int64_t every) {
   Simulation run_a(p, loading_state()), run_b(p, loading_state());
   const Folder folder;
   RecordWriter writer(folder.file("r.h5"), p, {}, IfExists::refuse, {}, parts);
-  const std::int64_t first = run_a.state().step, last = first + bench.max_iterations * stretch;
-  const tools::Interval interval = {static_cast<double>(every)};
-  std::optional<tools::Interval> fields_interval;
-  if (fields == Fields::record) fields_interval = interval;
-  tools::Recorder recorder(writer, interval, fields_interval, {}, first, last);
+  const std::int64_t last = run_a.state().step + bench.max_iterations * stretch;
+  tools::RunPlan plan;
+  plan.rule.last_step = last;
+  plan.begin.state = run_a.state();
+  plan.record_every = {static_cast<double>(every)};
+  if (fields == Fields::record) plan.fields_every = plan.record_every;
+  tools::Recorder recorder(writer, plan);
 
   std::vector<double> without, with, ratio;
   bool record_a = false;
