@@ -27,8 +27,8 @@ Ruptures = namedtuple("Ruptures", "time step block x")
 
 
 def plain(value):
-    """A scalar of a file as a Python object."""
-    return text(value) if isinstance(value, bytes) else value.item()
+    """A parameter as a Python object: a list where it varies along x."""
+    return text(value) if isinstance(value, bytes) else value.tolist()
 
 
 @contextmanager

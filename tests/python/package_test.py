@@ -160,8 +160,12 @@ def test_h5py_recomputes_the_checksum_under_each_law(law, folder):
         if (len(row["laws"]) < 4 or row["name"] not in earlier)
         and (law in row["laws"] or row["name"] != "junctions.f_new")
     }
-    made = rupture.run("load", output="x.h5", config=SMALL, set=odd | {"junctions.law": law})
+    for name, value in {"t_R": "3ms", "mu_new": "0.1", "d_R": "2um", "mu_s": "0.5"}.items():
+        odd["junctions." + name] = f"{value} from 0 to 10mm"
+    odd |= {"slider.load": "2 from 0 to 10mm", "junctions.law": law}
+    made = rupture.run("load", output="x.h5", config=SMALL, set=odd)
     assert recomputed("x.h5") == made.checksum
+    assert made.checkpoint.parameters["junctions.mu_s"] == [0.5, 0.5, *[0.4] * 15]
 
 
 def test_a_content_that_is_not_as_stated_is_damaged(small):
