@@ -91,6 +91,13 @@ double parse_x(const ParameterInfo& info, std::string_view text) {
   throw UsageError("{}: '{}' is not a position along x{}", info.name, text, units_taken("m"));
 }
 
+template <class T>
+void check_length(const Parameters& p, const ParameterInfo& info, const AlongX<T>& values) {
+  if (!values.varies() || std::ssize(values.blocks()) == p.Nx) return;
+  throw UsageError("{} has values for {} blocks, but slider.Nx = {}", info.name,
+                   values.blocks().size(), p.Nx);
+}
+
 /// "VALUE from X to X": the blocks there have this value, the others keep theirs.
 template <class T>
 AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const AlongX<T>& before,
@@ -104,6 +111,7 @@ AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const Along
   const double x_from = parse_x(info, text.substr(from + kFrom.size(), to - from - kFrom.size()));
   const double x_to = parse_x(info, text.substr(to + kTo.size()));
   const double rounding = 1e-6 * block_spacing(p);
+  check_length(p, info, before);
   std::vector<T> blocks;
   int inside = 0;
   for (const double x : block_positions(p)) {
@@ -139,8 +147,8 @@ AlongX<T> parse_blocks(const Parameters& p, const ParameterInfo& info, std::stri
     blocks.insert(blocks.end(), static_cast<std::size_t>(count), parse_value<T>(info, part));
     if (!more && std::ssize(blocks) == p.Nx) return AlongX<T>(std::move(blocks));
   }
-  throw UsageError("{} has a list of values that is not as long as the slider: give {} values",
-                   info.name, p.Nx);
+  throw UsageError("{} takes one value or {}, one for each block; decimals need a point", info.name,
+                   p.Nx);
 }
 
 template <class T>
@@ -200,18 +208,9 @@ AlongX<double> as_weights(const AlongX<double>& given) {
   return AlongX(std::move(weights));
 }
 
-/// ", at x = 0.07 m" for a property that varies.
+/// " at x = 0.07 m" for a property that varies.
 std::string place_text(const Parameters& p, std::int64_t i, bool varies) {
   return varies ? fmt::format(" at x = {:g} m", block_position(p, i)) : "";
-}
-
-void validate_lengths(const Parameters& p) {
-  for_each_along_x(p, [&](const ParameterInfo& info, auto member) {
-    const auto& blocks = (p.*member).blocks();
-    if (blocks.empty() || std::ssize(blocks) == p.Nx) return;
-    throw UsageError("{} has values for {} blocks, but slider.Nx = {}", info.name, blocks.size(),
-                     p.Nx);
-  });
 }
 
 void validate_coefficients(const Parameters& p, std::int64_t i) {
@@ -414,7 +413,8 @@ void validate(const Parameters& p) {
         "the spacing {:g} m below slider.H",
         p.h, l);
   }
-  validate_lengths(p);
+  for_each_along_x(
+      p, [&](const ParameterInfo& info, auto member) { check_length(p, info, p.*member); });
   for (std::int64_t i = 0; i < p.Nx; ++i) validate_coefficients(p, i);
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
     throw UsageError("numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s",
