@@ -11,7 +11,7 @@ MAP = "viridis"  # for images; "cividis" where a second one is needed
 
 # Okabe and Ito's colours: distinct for all common kinds of colour vision.
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
-YELLOW, BLUE, VERMILION, PURPLE = "#F0E442", "#0072B2", "#D55E00", "#CC79A7"
+BLUE, VERMILION, PURPLE = "#0072B2", "#D55E00", "#CC79A7"
 LINES = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK]
 
 STYLE = {

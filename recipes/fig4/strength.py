@@ -119,11 +119,6 @@ def share_by_width(blocks, width=BINS[0]):
     )
 
 
-def share_by_stress(blocks):
-    """The same of all pairs, for tau_bar_0 itself."""
-    return share_of_lower(strata_of([("", b.tau_bar_0, b.kind) for b in blocks]))
-
-
 # --- reports -------------------------------------------------------------------------------
 
 
