@@ -31,159 +31,6 @@ std::vector<Law> only(std::initializer_list<Law> laws) {
 }
 constexpr std::initializer_list<Law> all = {};
 
-/// The number that the whole text is, infinite if it is beyond all doubles.
-std::optional<double> number_in(std::string_view text) {
-  double number = 0.0;
-  const auto* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
-  return error == std::errc{} ? number : std::numeric_limits<double>::infinity();
-}
-
-/// A whole number may have any notation: 1000, 1e3 or 1000.0. Doubles hold all that are valid.
-double parse_number(const ParameterInfo& info, std::string_view text, bool whole) {
-  const auto number = number_in(in_unit(text, info.unit).value_or(""));
-  if (!number || (whole && std::trunc(*number) != *number)) {
-    throw UsageError("{} = '{}' is not a {}number{}", info.name, text, whole ? "whole " : "",
-                     units_taken(info.unit));
-  }
-  const auto& [minimum, maximum, minimum_excluded, words] = info.valid;
-  const bool large_enough = minimum_excluded ? *number > minimum : *number >= minimum;
-  if (!large_enough || !(*number <= maximum)) {
-    throw UsageError("{} must be {}{}{} (got {})", info.name, minimum_excluded ? "" : "from ",
-                     range_text(info), info.unit == "1" ? "" : fmt::format(" {}", info.unit), text);
-  }
-  return *number;
-}
-
-std::ptrdiff_t parse_word(const ParameterInfo& info, std::string_view text) {
-  const auto& words = info.valid.words;
-  const auto found = std::ranges::find(words, text);
-  if (found == words.end()) {
-    throw UsageError("{} must be {} (got '{}')", info.name, alternatives(words), text);
-  }
-  return found - words.begin();
-}
-
-template <class T>
-T parse_value(const ParameterInfo& info, std::string_view text) {
-  if constexpr (std::is_enum_v<T>) {
-    return static_cast<T>(parse_word(info, text));
-  } else {
-    return static_cast<T>(parse_number(info, text, std::is_integral_v<T>));
-  }
-}
-
-template <class T>
-std::string value_text(const ParameterInfo& info, T value) {
-  if constexpr (std::is_enum_v<T>) {
-    return std::string(info.valid.words[static_cast<std::size_t>(value)]);
-  } else {
-    return fmt::format("{}", value);
-  }
-}
-
-constexpr std::string_view kFrom = " from ", kTo = " to ";
-
-double parse_x(const ParameterInfo& info, std::string_view text) {
-  const auto x = number_in(in_unit(text, "m").value_or(""));
-  if (x) return *x;
-  throw UsageError("{}: '{}' is not a position along x{}", info.name, text, units_taken("m"));
-}
-
-template <class T>
-void check_length(const Parameters& p, const ParameterInfo& info, const AlongX<T>& values) {
-  if (!values.varies() || std::ssize(values.blocks()) == p.Nx) return;
-  throw UsageError("{} has values for {} blocks, but slider.Nx = {}", info.name,
-                   values.blocks().size(), p.Nx);
-}
-
-/// "VALUE from X to X": the blocks there have this value, the others keep theirs.
-template <class T>
-AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const AlongX<T>& before,
-                     std::string_view text) {
-  const auto from = text.find(kFrom), to = text.find(kTo, from);
-  if (to == std::string_view::npos) {
-    throw UsageError("{} = '{}' has no end: write {}=VALUE from X to X", info.name, text,
-                     info.name);
-  }
-  const T value = parse_value<T>(info, text.substr(0, from));
-  const double x_from = parse_x(info, text.substr(from + kFrom.size(), to - from - kFrom.size()));
-  const double x_to = parse_x(info, text.substr(to + kTo.size()));
-  const double rounding = 1e-6 * block_spacing(p);
-  check_length(p, info, before);
-  std::vector<T> blocks;
-  int inside = 0;
-  for (const double x : block_positions(p)) {
-    const bool is_inside = x >= x_from - rounding && x <= x_to + rounding;
-    blocks.push_back(is_inside ? value : before[std::ssize(blocks)]);
-    inside += is_inside ? 1 : 0;
-  }
-  if (inside == 0) {
-    throw UsageError("{} = '{}': no block is there; blocks are at 0 to {:g} m, {:g} m apart",
-                     info.name, text, p.L, block_spacing(p));
-  }
-  return AlongX<T>(std::move(blocks));
-}
-
-/// The value of each block, as parameter_text() writes them: 28x0.4,6x0.6,23x0.4.
-template <class T>
-AlongX<T> parse_blocks(const Parameters& p, const ParameterInfo& info, std::string_view text) {
-  std::vector<T> blocks;
-  for (bool more = true; more;) {
-    const auto comma = text.find(',');
-    std::string_view part = text.substr(0, comma);
-    more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
-    std::int64_t count = 1;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
-    const auto digits = static_cast<std::size_t>(end - part.data());
-    if (error == std::errc{} && part.substr(digits).starts_with('x')) {
-      part.remove_prefix(digits + 1);
-    } else {
-      count = 1;
-    }
-    if (count < 1 || count > p.Nx - std::ssize(blocks)) break;
-    blocks.insert(blocks.end(), static_cast<std::size_t>(count), parse_value<T>(info, part));
-    if (!more && std::ssize(blocks) == p.Nx) return AlongX<T>(std::move(blocks));
-  }
-  throw UsageError("{} takes one value or {}, one for each block; decimals need a point", info.name,
-                   p.Nx);
-}
-
-template <class T>
-T parse(const Parameters&, const ParameterInfo& info, const T&, std::string_view text) {
-  return parse_value<T>(info, text);
-}
-
-template <class T>
-AlongX<T> parse(const Parameters& p, const ParameterInfo& info, const AlongX<T>& before,
-                std::string_view text) {
-  if (!is_along_x(text)) return parse_value<T>(info, text);
-  const bool is_patch = text.find(kFrom) != std::string_view::npos;
-  return is_patch ? with_patch(p, info, before, text) : parse_blocks<T>(p, info, text);
-}
-
-template <class T>
-std::string text_of(const ParameterInfo& info, const T& value) {
-  return value_text(info, value);
-}
-
-template <class T>
-std::string text_of(const ParameterInfo& info, const AlongX<T>& values) {
-  if (!values.varies()) return value_text(info, values[0]);
-  std::string text;
-  const auto& blocks = values.blocks();
-  for (auto first = blocks.begin(); first != blocks.end();) {
-    const auto last = std::find_if(first, blocks.end(), [&](T value) { return value != *first; });
-    if (!text.empty()) text += ',';
-    if (last - first > 1) text += fmt::format("{}x", last - first);
-    text += value_text(info, *first);
-    first = last;
-  }
-  return text;
-}
-
 /// Calls work(info, member) for all rows that may vary along x.
 void for_each_along_x(const Parameters& p, const auto& work) {
   for (const ParameterInfo& info : parameter_table()) {
@@ -195,45 +42,35 @@ void for_each_along_x(const Parameters& p, const auto& work) {
   }
 }
 
-/// Weights that are 1 on average, so that the load stays F_N.
-AlongX<double> as_weights(const AlongX<double>& given) {
-  if (!given.varies()) return 1.0;
-  std::vector<double> weights = given.blocks();
-  double sum = 0.0;
-  for (const double weight : weights) sum += weight;
-  const double mean = sum / static_cast<double>(weights.size());
-  constexpr double rounding = 1e-12;
-  if (std::abs(mean - 1.0) < rounding) return given;
-  for (double& weight : weights) weight /= mean;
-  return AlongX(std::move(weights));
-}
-
 /// " at x = 0.07 m" for a property that varies.
 std::string place_text(const Parameters& p, std::int64_t i, bool varies) {
   return varies ? fmt::format(" at x = {:g} m", block_position(p, i)) : "";
 }
 
-void validate_coefficients(const Parameters& p, std::int64_t i) {
-  const std::string place = place_text(p, i, p.mu_d.varies() || p.mu_s.varies());
-  if (p.mu_d[i] > p.mu_s[i]) {
-    throw UsageError(
-        "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}{}: a slipping junction "
-        "cannot carry more than its strength",
-        p.mu_d[i], p.mu_s[i], place);
-  }
-  if (is_used(find_parameter("junctions.mu_new"), p.law) && p.mu_new[i] > p.mu_d[i]) {
-    throw UsageError(
-        "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}{}: under the {} law the "
-        "slipping force falls",
-        p.mu_new[i], p.mu_d[i], place_text(p, i, p.mu_new.varies() || p.mu_d.varies()),
-        law_info(p.law).name);
-  }
+void validate_coefficients(const Parameters& p) {
+  const LawInfo& law = law_info(p.law);
   const ParameterInfo& f_new = find_parameter("junctions.f_new");
-  if (!is_used(f_new, p.law) && p.f_new[i] != NewForce::zero) {
-    throw UsageError(
-        "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
-        "under the {} law, set {}",
-        alternatives(law_names(f_new.laws)), law_info(p.law).name, law_info(p.law).slow_slip_off);
+  const bool has_f_new = is_used(f_new, p.law);
+  const bool has_mu_new = is_used(find_parameter("junctions.mu_new"), p.law);
+  for (std::int64_t i = 0; i < p.Nx; ++i) {
+    if (p.mu_d[i] > p.mu_s[i]) {
+      throw UsageError(
+          "junctions.mu_d = {:g} exceeds junctions.mu_s = {:g}{}: a slipping junction "
+          "cannot carry more than its strength",
+          p.mu_d[i], p.mu_s[i], place_text(p, i, p.mu_d.varies() || p.mu_s.varies()));
+    }
+    if (has_mu_new && p.mu_new[i] > p.mu_d[i]) {
+      throw UsageError(
+          "junctions.mu_new = {:g} exceeds junctions.mu_d = {:g}{}: under the {} law the "
+          "slipping force falls",
+          p.mu_new[i], p.mu_d[i], place_text(p, i, p.mu_new.varies() || p.mu_d.varies()), law.name);
+    }
+    if (!has_f_new && p.f_new[i] != NewForce::zero) {
+      throw UsageError(
+          "junctions.f_new = f_slip is only for the {} law: to switch slow slip off "
+          "under the {} law, set {}",
+          alternatives(law_names(f_new.laws)), law.name, law.slow_slip_off);
+    }
   }
 }
 
@@ -343,31 +180,6 @@ std::string range_text(const ParameterInfo& info) {
                           : fmt::format("{:g} to {:g}", minimum, maximum);
 }
 
-void set_parameter(Parameters& parameters, std::string_view name, std::string_view text) {
-  const ParameterInfo& info = find_parameter(name);
-  std::visit(
-      [&](auto member) { parameters.*member = parse(parameters, info, parameters.*member, text); },
-      info.member);
-  parameters.load = as_weights(parameters.load);
-}
-
-std::string parameter_text(const Parameters& parameters, const ParameterInfo& info) {
-  return std::visit([&](auto member) { return text_of(info, parameters.*member); }, info.member);
-}
-
-AlongX<double> values_along_x(const Parameters& p, const ParameterInfo& info,
-                              std::string_view text) {
-  return parse(p, info, AlongX<double>(0.0), text);
-}
-
-std::string along_x_text(const AlongX<double>& values) {
-  return text_of(find_parameter("slider.load"), values);
-}
-
-bool is_along_x(std::string_view text) {
-  return text.find(kFrom) != std::string_view::npos || text.find(',') != std::string_view::npos;
-}
-
 bool may_vary_along_x(const ParameterInfo& info) {
   return std::holds_alternative<AlongX<double> Parameters::*>(info.member) ||
          std::holds_alternative<AlongX<NewForce> Parameters::*>(info.member);
@@ -397,6 +209,15 @@ std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameter
   return found;
 }
 
+void validate_lengths(const Parameters& p) {
+  for_each_along_x(p, [&](const ParameterInfo& info, auto member) {
+    const auto& blocks = (p.*member).blocks();
+    if (blocks.empty() || std::ssize(blocks) == p.Nx) return;
+    throw UsageError("{} has values for {} blocks, but slider.Nx = {}", info.name, blocks.size(),
+                     p.Nx);
+  });
+}
+
 void validate(const Parameters& p) {
   const double l = block_spacing(p);
   const double l_z = p.H / static_cast<double>(p.Nz - 1);
@@ -413,9 +234,8 @@ void validate(const Parameters& p) {
         "the spacing {:g} m below slider.H",
         p.h, l);
   }
-  for_each_along_x(
-      p, [&](const ParameterInfo& info, auto member) { check_length(p, info, p.*member); });
-  for (std::int64_t i = 0; i < p.Nx; ++i) validate_coefficients(p, i);
+  validate_lengths(p);
+  validate_coefficients(p);
   if (const double limit = stable_time_step(p); !(p.dt <= limit)) {
     throw UsageError("numerics.dt = {:g} s is unstable: the limit for this lattice is {:.4g} s",
                      p.dt, limit);

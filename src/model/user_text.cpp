@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace rupture {
@@ -100,6 +101,16 @@ std::optional<std::string> in_unit(std::string_view text, std::string_view unit)
   const auto exponent = exponent_of(word, unit);
   if (!exponent) return std::nullopt;
   return shifted(number, *exponent);
+}
+
+std::optional<double> number_in(std::string_view text, std::string_view unit) {
+  const auto plain = in_unit(text, unit);
+  if (!plain) return std::nullopt;
+  double number = 0.0;
+  const auto* end = plain->data() + plain->size();
+  const auto [stop, error] = std::from_chars(plain->data(), end, number);
+  if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc{} ? number : std::numeric_limits<double>::infinity();
 }
 
 std::string units_taken(std::string_view unit) {

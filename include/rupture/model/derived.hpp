@@ -60,7 +60,8 @@ double friction_stretch(const Parameters& p, std::int64_t i, double p_i);
 /// stable for dt < (sqrt(c^2 + 4 omega^2) - c) / omega^2. The stiffest bulk mode has omega^2 = 6
 /// k/m and c = 12 eta/m (wave vector (pi, 0)), or 8 eta/m if dampers act along their spring; softer
 /// springs along the faces do not change it. A bottom block adds its junctions or the foundation.
-/// The foundation's dashpots add eta_f/m to c. No block is taken to bear more than 4 F_N / Nx.
+/// The foundation's dashpots add eta_f/m to c. No block is taken to bear more than 4 times
+/// the largest column_load().
 double stable_time_step(const Parameters& p);
 
 /// The same where no block bears more than `largest_p` [N]. Every junction counts as stiff as the

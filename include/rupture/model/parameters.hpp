@@ -180,6 +180,9 @@ std::vector<const ParameterInfo*> varying(const Parameters& parameters);
 /// The rows of the parameters in which two sets differ.
 std::vector<const ParameterInfo*> differing(const Parameters& a, const Parameters& b);
 
+/// Throws UsageError if a property has values for another number of blocks than Nx.
+void validate_lengths(const Parameters& parameters);
+
 /// Throws UsageError unless the parameters make physical sense together: equal lattice spacing in x
 /// and z, driving height on a row of blocks, mu_d <= mu_s, f_new and mu_new as the interface law
 /// allows them, time step below the stability limit.

@@ -17,6 +17,10 @@ namespace rupture {
 /// one, or there is no number in front of it.
 std::optional<std::string> in_unit(std::string_view text, std::string_view unit);
 
+/// The number in `text` in `unit`, infinite if it is beyond all doubles; none if in_unit() has
+/// none.
+std::optional<double> number_in(std::string_view text, std::string_view unit);
+
 /// "a", "a or b", or "a, b or c".
 std::string alternatives(const auto& words) {
   const auto last = std::prev(words.end());
