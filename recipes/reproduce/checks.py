@@ -100,8 +100,9 @@ def compile_commands():
     sources = [path for one in ("src", "benchmarks") for path in Path(one).rglob("*.cpp")]
     found = [first.search(path.read_text()) for path in sources]
     included = tuple(f"/{each[1]}" for each in found if each)
+    tests = Path("tests").resolve()
     for entry in json.loads(Path("build/check/compile_commands.json").read_text()):
-        path, tests = Path(entry["file"]), Path("tests").resolve()
+        path = Path(entry["file"])
         if path.exists() and tests not in path.parents and not str(path).endswith(included):
             check = " -fsyntax-only -fdelayed-template-parsing "
             yield re.sub(" -o .*", check, entry["command"]) + str(path)

@@ -19,6 +19,10 @@ std::string dataset_path(const ParameterInfo& info) {
 template <class T>
 constexpr bool is_number = std::is_same_v<T, double> || std::is_same_v<T, std::int64_t>;
 
+// In an array, words stand by their number.
+template <class T>
+using InArray = std::conditional_t<is_number<T>, T, std::int64_t>;
+
 template <class T>
 Dataset dataset_of(const ParameterInfo& info, const Parameters& parameters, T value) {
   if constexpr (is_number<T>) {
@@ -28,15 +32,14 @@ Dataset dataset_of(const ParameterInfo& info, const Parameters& parameters, T va
   }
 }
 
-// One value, or an array with that of each block; words in it by their number.
+// One value, or an array with that of each block.
 template <class T>
 Dataset dataset_of(const ParameterInfo& info, const Parameters& parameters,
                    const AlongX<T>& values) {
-  using Stored = std::conditional_t<is_number<T>, T, std::int64_t>;
   if (!values.varies()) return dataset_of(info, parameters, values[0]);
-  std::vector<Stored> stored;
-  for (const T value : values.blocks()) stored.push_back(static_cast<Stored>(value));
-  return make_array(std::span<const Stored>(stored), {stored.size()}, info.unit);
+  std::vector<InArray<T>> stored;
+  for (const T value : values.blocks()) stored.push_back(static_cast<InArray<T>>(value));
+  return make_array(std::span<const InArray<T>>(stored), {stored.size()}, info.unit);
 }
 
 Dataset parameter_dataset(const Parameters& parameters, const ParameterInfo& info) {
@@ -56,14 +59,13 @@ std::string stored_text(const Content& content, const ParameterInfo& info, const
 
 template <class T>
 std::string stored_text(const Content& content, const ParameterInfo& info, const AlongX<T>&) {
-  using Stored = std::conditional_t<is_number<T>, T, std::int64_t>;
   const std::string path = dataset_path(info);
   const auto found = content.find(path);
   if (found == content.end() || found->second.shape.size() != 1) {
     return stored_text(content, info, T{});
   }
   std::string text;
-  for (const Stored value : read_array<Stored>(content, path, found->second.shape)) {
+  for (const auto value : read_array<InArray<T>>(content, path, found->second.shape)) {
     if (!text.empty()) text += ',';
     if constexpr (is_number<T>) {
       text += fmt::format("{}", value);

@@ -77,9 +77,8 @@ def checksum(file):
         if isinstance(dataset, h5py.Dataset) and counts(path, dataset[()], law):
             kind, raw = content(dataset, law)
             digest.update(prefixed(path.encode()) + prefixed(kind))
-            shape = (
-                dataset.shape if len(raw) == dataset.nbytes else ()
-            )  # a default in place of many
+            is_default = len(raw) != dataset.nbytes  # one in place of many
+            shape = () if is_default else dataset.shape
             digest.update(u64(len(shape)) + b"".join(map(u64, shape)) + prefixed(raw))
     return digest.hexdigest()
 

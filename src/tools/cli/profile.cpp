@@ -17,26 +17,13 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kOfPrepare = {"tau-bar", "sigma-bar"};
 
-struct Column {
-  std::string name, unit;  ///< as in the heading
-};
-
-struct Row {
-  std::string where;  ///< "profile.csv:3: "
-  double x = 0;       ///< [m]
-  std::vector<std::string> cells;
-};
-
-struct Table {
-  std::vector<Column> columns;  ///< x is the first
-  std::vector<Row> rows;
-};
+using Column = Profile::Column;
+using Row = Profile::Row;
 
 /// The number of a cell of a column with `unit` in the unit of SI. Throws UsageError.
-double number_in(const std::string& cell, const std::string& unit, std::string_view in) {
-  const auto text = in_unit(cell + unit, in);
-  const double number = text ? std::strtod(text->c_str(), nullptr) : std::nan("");
-  if (std::isfinite(number)) return number;
+double number_of(const std::string& cell, const std::string& unit, std::string_view in) {
+  const auto number = number_in(cell + unit, in);
+  if (number && std::isfinite(*number)) return *number;
   throw UsageError("'{}' is not a number; write decimals with a point", cell);
 }
 
@@ -61,84 +48,11 @@ Column column_of(const std::string& heading) {
 /// Throws UsageError unless a parameter can have this value.
 void check(const Column& column, const std::string& cell) {
   if (std::ranges::count(kOfPrepare, column.name) > 0) {
-    number_in(cell, column.unit, "1");
+    number_of(cell, column.unit, "1");
     return;
   }
   Parameters any;
   set_parameter(any, column.name, cell + column.unit);
-}
-
-void add_heading(const std::vector<std::string>& cells, Table& table) {
-  for (const auto& heading : cells) table.columns.push_back(column_of(heading));
-  if (table.columns.front().name == "x" && table.columns.size() > 1) return;
-  throw UsageError("the first column must be x, and one must follow (got '{}')",
-                   fmt::join(cells, ","));
-}
-
-void add_row(std::vector<std::string> cells, const std::string& where, Table& table) {
-  const auto& columns = table.columns;
-  if (cells.size() != columns.size()) {
-    throw UsageError("{} values, but the heading names {}; write decimals with a point",
-                     cells.size(), columns.size());
-  }
-  const double x = number_in(cells.front(), columns.front().unit, "m");
-  for (std::size_t c = 1; c < columns.size(); ++c) check(columns[c], cells[c]);
-  if (!table.rows.empty() && x < table.rows.back().x) {
-    throw UsageError("x falls: sort the rows by x");
-  }
-  table.rows.push_back({where, x, std::move(cells)});
-}
-
-Table read_table(const std::string& path) {
-  std::istringstream lines(text_of_file(path, "profile", "CSV table"));
-  Table table;
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.empty()) continue;
-    const std::string where = fmt::format("{}:{}: ", path, number);
-    const auto cells = split(line + ",", ',');  // a last empty cell counts
-    try {
-      table.columns.empty() ? add_heading(cells, table) : add_row(cells, where, table);
-    } catch (const UsageError& error) {
-      throw UsageError(where + error.what());
-    }
-  }
-  if (table.rows.empty()) throw UsageError("{}: a profile needs a heading and a row", path);
-  return table;
-}
-
-/// Linear between rows; at a step, where two rows have one x, the later row counts.
-std::string value_at(const Table& table, std::size_t column, std::string_view unit, double x,
-                     double rounding) {
-  const auto& rows = table.rows;
-  const auto after = std::ranges::upper_bound(rows, x + rounding, {}, &Row::x);
-  const Row& left = after == rows.begin() ? rows.front() : *(after - 1);
-  const Row& right = after == rows.end() ? rows.back() : *after;
-  const double part =
-      right.x > left.x ? std::clamp((x - left.x) / (right.x - left.x), 0.0, 1.0) : 0;
-  const auto number = [&](const Row& row) {
-    return number_in(row.cells[column], table.columns[column].unit, unit);
-  };
-  if (const auto& nearest = part < 0.5 ? left : right; !in_unit(nearest.cells[column], "1")) {
-    return nearest.cells[column];  // a word
-  }
-  return fmt::format("{}", number(left) + part * (number(right) - number(left)));
-}
-
-/// As set_parameter() takes them.
-std::string values_of(const Table& table, std::size_t column, std::string_view unit,
-                      const Parameters& p) {
-  const double rounding = 1e-6 * block_spacing(p);
-  for (const Row& row : table.rows) {
-    if (row.x >= -rounding && row.x <= p.L + rounding) continue;
-    throw UsageError("{}x = {:g} m is outside the slider, 0 to {:g} m", row.where, row.x, p.L);
-  }
-  std::vector<std::string> values;
-  for (const double x : block_positions(p)) {
-    values.push_back(value_at(table, column, unit, x, rounding));
-  }
-  return fmt::format("{}", fmt::join(values, ","));
 }
 
 }  // namespace
@@ -149,27 +63,90 @@ void add_profile_option(po::options_description& options) {
                         "parameter that varies, such as junctions.mu_s; units in the heading");
 }
 
-void apply(const Parsed& parsed, Parameters& p) {
+Profile::Profile(const Parsed& parsed) : parsed_(parsed) {
+  if (parsed.values.count("profile") == 0) return;
+  const auto path = parsed.values["profile"].as<std::string>();
+  std::istringstream lines(text_of_file(path, "profile", "CSV table"));
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty()) continue;
+    const std::string where = fmt::format("{}:{}: ", path, number);
+    try {
+      read_line(line, where);
+    } catch (const UsageError& error) {
+      throw UsageError(where + error.what());
+    }
+  }
+  if (rows_.empty()) throw UsageError("{}: a profile needs a heading and a row", path);
+}
+
+/// The heading, or a row.
+void Profile::read_line(std::string line, const std::string& where) {
+  auto cells = split(line + ",", ',');  // a last empty cell counts
+  if (columns_.empty()) {
+    for (const auto& heading : cells) columns_.push_back(column_of(heading));
+    if (columns_.front().name == "x" && columns_.size() > 1) return;
+    throw UsageError("the first column must be x, and one must follow (got '{}')", line);
+  }
+  if (cells.size() != columns_.size()) {
+    throw UsageError("{} values, but the heading names {}; write decimals with a point",
+                     cells.size(), columns_.size());
+  }
+  const double x = number_of(cells.front(), columns_.front().unit, "m");
+  for (std::size_t c = 1; c < columns_.size(); ++c) check(columns_[c], cells[c]);
+  if (!rows_.empty() && x < rows_.back().x) throw UsageError("x falls: sort the rows by x");
+  rows_.push_back({where, x, std::move(cells)});
+}
+
+/// Linear between rows; at a step, where two rows have one x, the later row counts.
+std::string Profile::value_at(std::size_t column, std::string_view unit, double x,
+                              double rounding) const {
+  const auto after = std::ranges::upper_bound(rows_, x + rounding, {}, &Row::x);
+  const Row& left = after == rows_.begin() ? rows_.front() : *(after - 1);
+  const Row& right = after == rows_.end() ? rows_.back() : *after;
+  const double part =
+      right.x > left.x ? std::clamp((x - left.x) / (right.x - left.x), 0.0, 1.0) : 0;
+  if (const auto& nearest = part < 0.5 ? left : right; !in_unit(nearest.cells[column], "1")) {
+    return nearest.cells[column];  // a word
+  }
+  const auto number = [&](const Row& row) {
+    return number_of(row.cells[column], columns_[column].unit, unit);
+  };
+  return fmt::format("{}", number(left) + part * (number(right) - number(left)));
+}
+
+/// As set_parameter() takes them.
+std::string Profile::values_of(std::size_t column, std::string_view unit,
+                               const Parameters& p) const {
+  const double rounding = 1e-6 * block_spacing(p);
+  for (const Row& row : rows_) {
+    if (row.x >= -rounding && row.x <= p.L + rounding) continue;
+    throw UsageError("{}x = {:g} m is outside the slider, 0 to {:g} m", row.where, row.x, p.L);
+  }
+  std::vector<std::string> values;
+  for (const double x : block_positions(p)) values.push_back(value_at(column, unit, x, rounding));
+  return fmt::format("{}", fmt::join(values, ","));
+}
+
+void Profile::apply(Parameters& p) const {
   ParameterChanges plain, parts;
-  for (const auto& change : parsed.parameters) {
+  for (const auto& change : parsed_.parameters) {
     (is_along_x(change.value) ? parts : plain).push_back(change);
   }
   set_parameters(plain, p);
-  if (parsed.values.count("profile") > 0) {
-    const Table table = read_table(parsed.values["profile"].as<std::string>());
-    for (std::size_t c = 1; c < table.columns.size(); ++c) {
-      const std::string& name = table.columns[c].name;
-      if (std::ranges::count(kOfPrepare, name) > 0) {
-        if (parsed.values.count(kOfPrepare.back().data()) > 0) continue;  // it has a default there
-        throw UsageError("{} is for prepare: leave the column out", name);
-      }
-      set_parameter(p, name, values_of(table, c, find_parameter(name).unit, p));
+  for (std::size_t c = 1; c < columns_.size(); ++c) {
+    const std::string& name = columns_[c].name;
+    if (std::ranges::count(kOfPrepare, name) == 0) {
+      set_parameter(p, name, values_of(c, find_parameter(name).unit, p));
+    } else if (parsed_.values.count(kOfPrepare.back().data()) == 0) {  // it has a default there
+      throw UsageError("{} is for prepare: leave the column out", name);
     }
   }
   set_parameters(parts, p);
 }
 
-AlongX<double> along_x(const Parsed& parsed, const Parameters& p, const std::string& option) {
+AlongX<double> Profile::along_x(const Parameters& p, const std::string& option) const {
   const std::string name = "--" + option;
   const ParameterInfo info = {.name = name,
                               .symbol = "",
@@ -177,21 +154,19 @@ AlongX<double> along_x(const Parsed& parsed, const Parameters& p, const std::str
                               .member = &Parameters::load,
                               .valid = {-1e9, 1e9},
                               .help = ""};
-  const bool given = parsed.values.count(option) > 0 && !parsed.values[option].defaulted();
-  if (parsed.values.count("profile") > 0) {
-    const Table table = read_table(parsed.values["profile"].as<std::string>());
-    const auto found = std::ranges::find(table.columns, option, &Column::name);
-    if (found != table.columns.end()) {
-      if (given) throw UsageError("the profile has {}: leave --{} out", option, option);
-      return values_along_x(
-          p, info,
-          values_of(table, static_cast<std::size_t>(found - table.columns.begin()), "1", p));
+  const po::variable_value& given = parsed_.values[option];
+  const auto column = std::ranges::find(columns_, option, &Column::name);
+  if (column != columns_.end()) {
+    if (!given.empty() && !given.defaulted()) {
+      throw UsageError("the profile has {}: leave {} out", option, name);
     }
+    const auto place = static_cast<std::size_t>(column - columns_.begin());
+    return values_along_x(p, info, values_of(place, "1", p));
   }
-  if (parsed.values.count(option) == 0) {
-    throw UsageError("--{} is missing: give it, or a --profile with this column", option);
+  if (given.empty()) {
+    throw UsageError("{} is missing: give it, or a --profile with this column", name);
   }
-  return values_along_x(p, info, parsed.values[option].as<std::string>());
+  return values_along_x(p, info, given.as<std::string>());
 }
 
 }  // namespace rupture::tools

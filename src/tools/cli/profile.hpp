@@ -7,13 +7,37 @@ namespace rupture::tools {
 
 void add_profile_option(po::options_description& options);
 
-/// Sets the parameters: plain values first, then those of --profile, then those that --set and
-/// --config give to a part of the interface. Throws UsageError, with the place.
-void apply(const Parsed& parsed, Parameters& parameters);
+/// The parameters of a command line, and the table of --profile, which is read once.
+class Profile {
+ public:
+  /// Throws UsageError, with the file and the row, or Failure if the file cannot be read.
+  explicit Profile(const Parsed& parsed);
 
-/// An option that may vary along x, of this name: its column in the --profile, or its own text.
-/// Throws UsageError if it has neither, or is no such text.
-AlongX<double> along_x(const Parsed& parsed, const Parameters& parameters,
-                       const std::string& option);
+  /// Sets the parameters: plain values first, then those of the table, then those that --set and
+  /// --config give to a part of the interface. Throws UsageError, with the place.
+  void apply(Parameters& parameters) const;
+
+  /// An option that may vary along x, of this name: its column, or its own text. Throws UsageError
+  /// if it has neither, or is no such text.
+  AlongX<double> along_x(const Parameters& parameters, const std::string& option) const;
+
+  struct Column {
+    std::string name, unit;  ///< as in the heading
+  };
+  struct Row {
+    std::string where;  ///< "profile.csv:3: "
+    double x = 0;       ///< [m]
+    std::vector<std::string> cells;
+  };
+
+ private:
+  void read_line(std::string line, const std::string& where);
+  std::string value_at(std::size_t column, std::string_view unit, double x, double rounding) const;
+  std::string values_of(std::size_t column, std::string_view unit, const Parameters& p) const;
+
+  const Parsed& parsed_;
+  std::vector<Column> columns_;  // x is the first; none without --profile
+  std::vector<Row> rows_;
+};
 
 }  // namespace rupture::tools

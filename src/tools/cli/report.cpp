@@ -62,6 +62,24 @@ Json outputs_json(const po::options_description& options) {
   return outputs.empty() ? Json::array({"report"}) : outputs;
 }
 
+template <class T>
+Json value_json(const ParameterInfo& info, const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return info.valid.words[static_cast<std::size_t>(value)];
+  } else {
+    return value;
+  }
+}
+
+/// A value, or that of each block.
+template <class T>
+Json value_json(const ParameterInfo& info, const AlongX<T>& values) {
+  if (!values.varies()) return value_json(info, values[0]);
+  Json blocks = Json::array();
+  for (const T value : values.blocks()) blocks.push_back(value_json(info, value));
+  return blocks;
+}
+
 }  // namespace
 
 std::string json_text(const Json& json) {
@@ -69,26 +87,7 @@ std::string json_text(const Json& json) {
 }
 
 Json json_of(const Parameters& parameters, const ParameterInfo& info) {
-  return std::visit(
-      [&](auto member) -> Json {
-        const auto& value = parameters.*member;
-        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
-          return value;
-        } else if constexpr (requires { value.varies(); }) {
-          Json blocks = Json::array();
-          for (const auto one : value.blocks()) {
-            if constexpr (std::is_enum_v<std::remove_const_t<decltype(one)>>) {
-              blocks.push_back(info.valid.words[static_cast<std::size_t>(one)]);
-            } else {
-              blocks.push_back(one);
-            }
-          }
-          if (value.varies()) return blocks;
-          if (info.valid.words.empty()) return value[0];
-        }
-        return parameter_text(parameters, info);
-      },
-      info.member);
+  return std::visit([&](auto member) { return value_json(info, parameters.*member); }, info.member);
 }
 
 Json json_of(const ProvenanceEntry& entry) {

@@ -9,7 +9,7 @@ namespace {
 
 int load(const Parsed& parsed) {
   Parameters p;
-  apply(parsed, p);
+  Profile(parsed).apply(p);
   validate(p);
   const bool is_driven = !parsed.values["until"].defaulted() || may_end_early(parsed.values);
   const double until = parsed.values["until"].defaulted() && is_driven

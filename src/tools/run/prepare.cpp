@@ -27,11 +27,11 @@ void add_prestress_options(po::options_description& options) {
   add("no-trigger", "leave the junctions of the trigger region pinned");
 }
 
-Prestress prestress_of(const Parsed& parsed, const Parameters& p) {
-  const po::variables_map& values = parsed.values;
+Prestress prestress_of(const Profile& profile, const Parameters& p,
+                       const po::variables_map& values) {
   Prestress prestress;
-  prestress.tau_bar = along_x(parsed, p, "tau-bar");
-  prestress.sigma_bar = along_x(parsed, p, "sigma-bar");
+  prestress.tau_bar = profile.along_x(p, "tau-bar");
+  prestress.sigma_bar = profile.along_x(p, "sigma-bar");
   prestress.shape = shape_named(values["shape"].as<std::string>());
   prestress.x_trigger = non_negative(values, "x-trigger");
   prestress.tau_bar_trigger = values["tau-bar-trigger"].as<double>();
@@ -102,14 +102,15 @@ std::string text_of(const Prepared& s, const Prestress& prestress) {
 
 int prepare(const Parsed& parsed) {
   Parameters p = default_parameters();
-  apply(parsed, p);
+  const Profile profile(parsed);
+  profile.apply(p);
   if (p.V != 0.0) {
     throw UsageError(
         "driving.V must be 0 (got {:g} m/s): a prepared interface is at rest; set it in restart",
         p.V);
   }
   validate(p);
-  const Prestress prestress = prestress_of(parsed, p);
+  const Prestress prestress = prestress_of(profile, p, parsed.values);
   const OutputOptions output = output_options(parsed.values);
   po::variables_map values = parsed.values;
   values.insert({"tau-bar", {}});

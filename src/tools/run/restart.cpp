@@ -50,7 +50,7 @@ int restart(const Parsed& parsed) {
 
   Checkpoint checkpoint = read_checkpoint(path);
   const Parameters before = checkpoint.parameters;
-  apply(parsed, checkpoint.parameters);
+  Profile(parsed).apply(checkpoint.parameters);
   checkpoint.state = continued(std::move(checkpoint.state), checkpoint.parameters);
   checkpoint.provenance.push_back(
       make_provenance("restart", parsed.arguments, checkpoint.checksum,
