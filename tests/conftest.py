@@ -1,10 +1,12 @@
 """What all tests in Python share: the folders, calls of programs, and what is skipped."""
 
+import contextlib
 import functools
 import importlib.util
 import json
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -48,6 +50,17 @@ def started(command, part, pieces=0, **options):
         assert time.monotonic() < end, "the run takes too long"
         time.sleep(0.001)
     return it
+
+
+@contextlib.contextmanager
+def stopped(process):
+    """It stands still within, all threads of it, and goes on afterwards."""
+    process.send_signal(signal.SIGSTOP)
+    os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
+    try:
+        yield
+    finally:
+        process.send_signal(signal.SIGCONT)
 
 
 def draws(name, *arguments, **options):

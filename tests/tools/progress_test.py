@@ -4,7 +4,6 @@ import fcntl
 import os
 import pty
 import re
-import signal
 import struct
 import subprocess
 import termios
@@ -13,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import BIN
+from conftest import BIN, stopped
 
 SMALL = "--set slider.Nx=9 --set slider.Nz=5 --set slider.H=0.07 --set driving.h=0.0175"
 DONE = r" *(\d+) %"
@@ -89,9 +88,8 @@ def stopped_for(pause, line):
     process = start(f"{line} --checkpoint-at 1ms", subprocess.PIPE)
     while not Path("a-t0.001000000.h5").exists():
         time.sleep(0.01)
-    process.send_signal(signal.SIGSTOP)
-    time.sleep(pause)
-    process.send_signal(signal.SIGCONT)
+    with stopped(process):
+        time.sleep(pause)
     err = process.communicate()[1].decode()
     assert process.returncode == 0, err
     return err

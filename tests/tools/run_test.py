@@ -2,7 +2,6 @@
 common, and what --dry-run foresees. The rest is in tables/."""
 
 import json
-import signal
 from pathlib import Path
 
 import h5py
@@ -10,7 +9,7 @@ import numpy as np
 import pytest
 
 from commands import checksum_of, files, json_of, lines_of, output_of, refuses, run
-from conftest import BIN, started
+from conftest import BIN, started, stopped
 
 pytestmark = pytest.mark.usefixtures("small_ini")
 
@@ -177,11 +176,10 @@ def test_finish_takes_another_name_while_the_run_goes_on_undisturbed():
     command = "load --config small.ini -o a.h5 --until 0.02 -q --record r.h5 --record-every 2e-6"
     part, (tool, *words) = Path("r.h5.part"), command.split()
     process = started([BIN / tool, *words], part, pieces=3)
-    process.send_signal(signal.SIGSTOP)
     sentence = "a run is writing r.h5.part and will write ./r.h5 when it ends: give another output"
-    refuses("finish r.h5.part -o ./r.h5", 1, sentence)
-    output_of("finish r.h5.part -o now.h5")
-    process.send_signal(signal.SIGCONT)
+    with stopped(process):
+        refuses("finish r.h5.part -o ./r.h5", 1, sentence)
+        output_of("finish r.h5.part -o now.h5")
     assert process.wait() == 0
     output_of("analyze verify r.h5")
     for path in ("/series/time", "/series/tau", "/series/pinned"):
