@@ -4,16 +4,11 @@
 #include <algorithm>
 
 #include "analyze/analyze.hpp"
-#include "cli/report.hpp"
+#include "analyze/diff_summary.hpp"
 #include "cli/text.hpp"
-#include "rupture/checkpoint/compare.hpp"
 
 namespace rupture::tools {
 namespace {
-
-struct Pair {
-  Content a, b;
-};
 
 /// The values of both files at one element of a dataset.
 Json element_json(const Dataset& a, const Dataset& b, std::uint64_t index) {
@@ -109,18 +104,23 @@ std::string difference_text(const Json& json, const Pair& pair) {
   return shape.empty() ? scalar_text(json) : array_text(json, element_count(shape));
 }
 
-std::string report_text(const Json& json, const Pair& pair) {
-  const Json &differences = json["differences"], &cut = json["cut"];
+std::string datasets_text(const Json& json, const Pair& pair) {
+  const Json& differences = json["differences"];
   std::string text;
   for (const Json& difference : differences) {
     text += in_one_line(difference["path"]) + ": " + difference_text(difference, pair);
   }
-  if (cut > 0) {
-    text += fmt::format("arrays compared only in the rows that both have: {}\n", cut.dump());
-  }
-  if (differences.empty()) return text + "equal\n";
   return text +
          fmt::format("{} of {} datasets differ\n", differences.size(), json["datasets"].dump());
+}
+
+std::string report_text(const Json& json, const Pair& pair, bool all) {
+  const Json& cut = json["cut"];
+  const std::string rows =
+      cut > 0 ? fmt::format("arrays compared only in the rows that both have: {}\n", cut.dump())
+              : "";
+  if (json["equal"]) return rows + "equal\n";
+  return rows + (all ? datasets_text(json, pair) : summary_text(json));
 }
 
 int compare(const Parsed& parsed) {
@@ -140,7 +140,10 @@ int compare(const Parsed& parsed) {
                {"cut", cut},
                {"differences", Json::array()}};
   for (const auto& d : differences) json["differences"].push_back(difference_json(pair, d));
-  say("{}", parsed.values.count("json") > 0 ? json_text(json) + "\n" : report_text(json, pair));
+  const bool all = parsed.values.count("all") > 0;
+  if (!all) json.update(summary_json(a, b, pair));
+  say("{}",
+      parsed.values.count("json") > 0 ? json_text(json) + "\n" : report_text(json, pair, all));
   return differences.empty() ? kDone : kFailed;
 }
 
@@ -150,14 +153,17 @@ constinit const Command diff_command = {
     "analyze diff A B",
     "file",
     "where and by how much two files differ",
-    R"(Compares the parameters and the state of two checkpoints, or the series of two records, dataset
-by dataset. Like the content checksum, it ignores parameters that the interface law does not
-use. It prints how many values differ, the first of them, and the largest difference: absolute,
-relative and in units in the last place (ULP), each with its place, [row][column], and the
-values in A and B. Exit code 0: equal, 1: different.)",
+    R"(Compares the parameters and the state of two checkpoints, or the series of two records. Like the
+content checksum, it ignores parameters that the interface law does not use. It prints which
+parameters differ, the last file that both come from and its time, and how much else differs:
+of records, from which sample on. With --all it prints for each dataset how many values differ,
+the first of them, and the largest difference: absolute, relative and in units in the last
+place (ULP), each with its place, [row][column], and the values in A and B.
+Exit code 0: equal, 1: different.)",
     {[](po::options_description& options) {
-       options.add_options()("common",
-                             "if one record is longer, compare only the rows that both have");
+       auto add = options.add_options();
+       add("all", "print each dataset that differs");
+       add("common", "if one record is longer, compare only the rows that both have");
      },
      add_json_option},
     compare};
