@@ -1,7 +1,12 @@
 // seal: a checkpoint or record that another program edited, checked and sealed again.
 #include <fmt/core.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "run/output.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/compare.hpp"
 #include "rupture/checkpoint/verify.hpp"
 
@@ -78,6 +83,17 @@ std::string text_of(const EditedFile& edited, const Differences& differences) {
   return text;
 }
 
+/// As sha256sum prints it.
+std::string digest_of_script(const std::string& path) {
+  std::ifstream file;
+  if (std::filesystem::is_regular_file(path)) file.open(path, std::ios::binary);
+  if (!file.is_open()) {
+    throw Failure("cannot read the script {}; give the path of a readable file", path);
+  }
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return sha256(std::as_bytes(std::span(text)));
+}
+
 int seal(const Parsed& parsed) {
   const auto& values = parsed.values;
   const std::string path = single_input(values, "file", "a checkpoint or record to seal");
@@ -93,8 +109,11 @@ int seal(const Parsed& parsed) {
     check_distinct({output.output}, original);
     differences = differences_from(original, edited);
   }
-  const auto entry =
-      make_provenance("seal", parsed.arguments, edited.sealed_checksum, kEditedOutside);
+  auto entry = make_provenance("seal", parsed.arguments, edited.sealed_checksum, kEditedOutside);
+  if (values.count("script") > 0) {
+    const auto digest = digest_of_script(values["script"].as<std::string>());
+    entry.command_line += "  # SHA-256 of the script: " + digest;
+  }
   return write_and_report(edited.kind, checked_content(edited, entry),
                           quantities_of(edited, differences), text_of(edited, differences), output);
 }
@@ -109,8 +128,12 @@ constinit const Command seal_command = {
     "or MATLAB, and writes a sealed one, whose provenance says that it was edited outside.\n"
     "Attributes other than unit, and the storage layout of datasets, are not kept.",
     {[](po::options_description& options) {
-      options.add_options()("original", input_file("checkpoint or record"),
-                            "the file before it was edited; the datasets that differ are named");
+      auto add = options.add_options();
+      add("original", input_file("checkpoint or record"),
+          "the file before it was edited; the datasets that differ are named");
+      add("note", text("TEXT"), "what was edited, for the provenance");
+      add("script", input_file("script"),
+          "the script that edited it; its name and SHA-256 go into the provenance");
       add_output_options(options, "checkpoint or record");
     }},
     seal,
