@@ -14,6 +14,7 @@ LONG_NAMES = {
     f"{q}_{a}": f"{name} the block along {a}" for q, name in QUANTITIES.items() for a in "xz"
 }
 LONG_NAMES |= {"time": "time", "x": "position of the block", "z": "height above the interface"}
+LONG_NAMES |= {"field_time": "time of the fields", "ruptures_x": "position of the block"}
 
 
 def text(attribute):
@@ -30,10 +31,14 @@ def imported(name):
         raise Failure(f"{name} refuses its settings: {error}") from None
 
 
-def positions(file):
-    """The coordinates that files of this kind have."""
-    main = file.dimensions[file.home]
-    return {name: getattr(file, name) for name in main if hasattr(file, name)}
+def coordinates_of(file):
+    """{name: (dimension, values)}"""
+    found = {name: (name, getattr(file, name)) for name in file.dimensions[file.home]}
+    if "fields/time" in file:
+        found |= {"field_time": ("field_time", file["fields/time"]), "z": ("z", file.z)}
+    if "ruptures/block" in file:
+        found["ruptures_x"] = ("rupture", file.x[file["ruptures/block"]])
+    return found
 
 
 def dimensions_of(file, name, array):
@@ -47,7 +52,7 @@ def dimensions_of(file, name, array):
 
 def labels_of(file, name):
     """Labels for the axes of plots; records have theirs in the file."""
-    own, units = LONG_NAMES.get(name, name), "s" if name == "time" else "m"
+    own, units = LONG_NAMES.get(name, name), "s" if name.endswith("time") else "m"
     if name in file:
         own, units = file.dataset(name).attrs.get("long_name", own), file.units(name)
     return {"units": units, "long_name": text(own)}
@@ -55,10 +60,11 @@ def labels_of(file, name):
 
 def to_xarray(file):
     xarray = imported("xarray")
-    coordinates = {n: (n, values, labels_of(file, n)) for n, values in positions(file).items()}
+    places = coordinates_of(file)
+    coordinates = {name: (*place, labels_of(file, name)) for name, place in places.items()}
     variables = {}
     for name, array in file.items():
-        if name.split("/")[-1] in POSITIONS or name in coordinates:
+        if name.split("/")[-1] in POSITIONS or name in ("fields/time", *coordinates):
             continue
         dimensions = dimensions_of(file, name, array)
         variables[name.replace("/", "_")] = (dimensions, array, labels_of(file, name))

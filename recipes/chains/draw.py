@@ -6,10 +6,11 @@ from collections import Counter
 from pathlib import Path
 
 from chains.point import note
-from chains.results import read_chains
+from chains.results import origin_lines, read_chains
 from claims.claim import write_claims
 from claims.judge import judge
 from chains.script import module_at
+from report.plotting import made_by
 from rupture.errors import Failure
 
 
@@ -25,13 +26,16 @@ def main(recipe):
     chains, script = read_chains(recipe), f"recipes/{recipe}/figure.py"
     for name, points in chains.items():
         say_failed(name, points)
+    points = [point for row in chains.values() for point in row]
+    own = [(point.lineage[0]["path"], point.results[0]) for point in points]
+    made_by[:] = origin_lines(f"./reproduce.sh {recipe}", own)
     try:
         numbers = module_at(script).make(chains, results) or []
         write_claims(results / "claims.json", judge(recipe, chains), numbers)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
     files = sorted(path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1)
-    inputs = [script, *{point.lineage[0]["path"]: None for row in chains.values() for point in row}]
+    inputs = [script, *dict(own)]
     described = f"{recipe}: draw, and judge the claims"
     note(files, described, recipe, f"figure.py of {script}", inputs, started)
 

@@ -82,6 +82,13 @@ def read_chains(recipe):
     return {name: [Result(name, row) for row in rows] for name, rows in chains.items()}
 
 
+def origin_lines(command, results):
+    """For the metadata of pictures: what draws them, and the files behind these results, which are
+    given as (path, result)."""
+    files = [(Path(path).stem, *item) for path, one in results for item in one["checksums"].items()]
+    return [command, *(f"{point}.{name}: content-sha256 {sum[:16]}" for point, name, sum in files)]
+
+
 def read_points(path):
     """The points in a file that a chain gives to a script with {all CHAIN}."""
     root = Path(path).parents[3]

@@ -3,6 +3,7 @@
 from rupture.plotting import BLACK, BLUE, GREEN, LINES, ORANGE, PURPLE, SKY, VERMILION
 from rupture.plotting import MAP  # noqa: F401  (for the recipes)
 from rupture.plotting import pyplot_without_window
+from rupture.plotting import save as write
 from rupture.replacing import replacing
 
 plt = pyplot_without_window()
@@ -11,6 +12,9 @@ plt.rcParams["axes.prop_cycle"] = plt.cycler(color=LINES)
 MM = 1 / 25.4  # [inch]
 SINGLE = 89 * MM  # width of one column [inch]
 DOUBLE = 183 * MM  # width of the page [inch]
+
+# The command that draws pictures now, and the files of its points, for their metadata.
+made_by = ["./reproduce.sh report"]
 
 # The same thing has the same colour in all figures.
 FAST, SLOW, ARRESTED = VERMILION, BLUE, "#9A8F3C"  # fronts
@@ -39,9 +43,8 @@ def letter(axes, text):
 
 
 def save(fig, stem):
-    """Writes stem.png and stem.pdf; equal plots are equal bytes."""
-    times = {"CreationDate": None, "ModDate": None}
-    for ending, metadata in ((".png", {"Software": None}), (".pdf", times)):
+    """Writes stem.png and stem.pdf; equal plots of equal points are equal bytes."""
+    for ending in (".png", ".pdf"):
         with replacing(f"{stem}{ending}") as temporary:
-            fig.savefig(temporary, metadata=metadata)
+            write(fig, temporary, "\n".join(made_by))
     plt.close(fig)

@@ -10,7 +10,7 @@ from PIL import Image
 import rupture
 from conftest import SMALL, draws
 from rupture import plotting
-from rupture.tools.map import LINE, slip_speed, spread
+from rupture.tools.map import LINE, Shown, draw_front_lines, slip_speed, spread
 
 
 def test_draws_all_or_an_event_or_a_time(small):
@@ -21,6 +21,34 @@ def test_draws_all_or_an_event_or_a_time(small):
         with Image.open(f"map-{number}.png") as picture:
             assert (picture.format, picture.size) == ("PNG", (2000, 840))
     assert Path("map-0.png").read_bytes() != Path("map-1.png").read_bytes()
+
+
+def test_draws_several_in_rows_and_says_where_they_come_from(small):
+    both = "small-record.h5", "small-record.h5"
+    draws("map", *both, "-o", "two.png", "--event", "first-spanning")
+    draws("map", *both, "-o", "two.pdf")
+    checksum = small.record.checksum
+    with Image.open("two.png") as picture:
+        assert picture.size == (2000, 1400)
+        command, *files = picture.text["Description"].splitlines()
+    assert (
+        command == "rupture map small-record.h5 small-record.h5 -o two.png --event first-spanning"
+    )
+    assert files == 2 * [f"small-record.h5: content-sha256 {checksum}"]
+    assert b"/Subject (rupture map small-record.h5 small" in Path("two.pdf").read_bytes()
+
+
+def test_lines_of_fronts_are_those_of_the_reports(small):
+    event = rupture.analyze("events", "small-record.h5")["events"][0]
+    shown = 2 * [Shown("small-record.h5", small.record, [event], (0.0, 1e-3))]
+    axes = plotting.pyplot_without_window().subplots()[1]
+    draw_front_lines(axes, shown, (0.0, 1e-4))
+    front = rupture.analyze("front", "small-record.h5", event=0)
+    expected = np.array(front["t_front"], dtype=float)
+    for line, t_zero in zip(axes.lines, (0.0, 1e-4)):
+        assert np.allclose(line.get_xdata(), np.array(front["x"]) / 0.14)
+        assert np.allclose(line.get_ydata(), (expected - t_zero) * 1e3, equal_nan=True)
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == 2 * ["small-record.h5"]
 
 
 def test_names_no_event_that_has_no_speed():

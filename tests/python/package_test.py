@@ -206,6 +206,8 @@ def test_xarray_and_pandas_hold_the_arrays(small):
     assert labelled["F_T"].attrs["long_name"] == "driving force"
     for file in (record, checkpoint):
         file.to_xarray().to_netcdf("all.nc", engine="h5netcdf")
+    ruptures = labelled["ruptures_x"]
+    assert np.array_equal(ruptures, record.x[record["ruptures/block"]])
     state = checkpoint.to_xarray()
     assert state["u_x"].dims == ("z", "x")
     assert state["junctions_attachment"].dims == ("x", "junction")
@@ -219,6 +221,8 @@ def test_xarray_alone_finds_dimensions_positions_and_units(folder):
     times = {"until": 4e-4, "record_every": 2e-5, "crossings": 0.5, "fields": 1e-4}
     record = rupture.run("load", output="x.h5", record="r.h5", config=SMALL, **times).record
     assert recomputed("r.h5") == record.checksum
+    place = {"field_time": record["fields/time"][2], "z": record.z[1], "x": record.x[3]}
+    assert record.to_xarray()["fields_u_z"].sel(place) == record["fields/u_z"][2, 1, 3]
     said = f"Frozen({{'time': 21, 'x': 17}}) N\n{record['tau'][-1, 2]}\n"
     assert said_by_page("#### Labels", "r.h5") == said
     for group, dimensions in DIMENSIONS.items():

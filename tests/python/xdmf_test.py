@@ -12,6 +12,7 @@ from conftest import SMALL, draws, run, skip
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+    from vtkmodules.vtkFiltersExtraction import vtkExtractBlockUsingDataAssembly
     from vtkmodules.vtkIOXdmf2 import vtkXdmfReader
     from vtkmodules.vtkIOXdmf3 import vtkXdmf3Reader
 except ImportError:
@@ -61,6 +62,44 @@ def test_values_are_those_of_the_checkpoints(series, kind, number):
     assert holds(interface, "pinned_fraction", checkpoint.pinned_fraction)
 
 
+def block_named(block, time):
+    """The arrays of the block that ParaView's filter extracts by this name."""
+    reader, extract = vtkXdmfReader(), vtkExtractBlockUsingDataAssembly()
+    reader.SetFileName(str(OUTPUT))
+    extract.SetInputConnection(reader.GetOutputPort())
+    extract.AddSelector(f"//{block}")
+    extract.UpdateTimeStep(time)
+    found = extract.GetOutputDataObject(0)
+    while found.GetClassName() == "vtkMultiBlockDataSet":
+        found = next(b for n in range(found.GetNumberOfBlocks()) if (b := found.GetBlock(n)))
+    arrays = found.GetPointData()
+    names = [arrays.GetArrayName(n) for n in range(arrays.GetNumberOfArrays())]
+    return {name: vtk_to_numpy(arrays.GetArray(name)) for name in names}
+
+
+def test_blocks_have_their_names_at_all_times(series):
+    for path in series:
+        checkpoint = rupture.open(path)
+        slider = block_named("slider", checkpoint.time)
+        assert np.array_equal(slider["u_x"], checkpoint["u_x"].ravel())
+        assert len(block_named("interface", checkpoint.time)["tau"]) == 17
+
+
+def test_fields_of_a_record_are_a_series(folder):
+    OUTPUT.parent.mkdir()
+    options = {"until": 1e-3, "record_every": 1e-4, "fields": 2e-4, "config": SMALL}
+    record = rupture.run("load", output="f.h5", record="f-record.h5", **options).record
+    draws("xdmf", "f-record.h5", "-o", OUTPUT)
+    for number, time in enumerate(record["fields/time"]):
+        slider, interface = block_named("slider", time), block_named("interface", time)
+        assert {*slider} == {"u_x", "u_z", "sigma_xx", "sigma_zz", "sigma_xz"}
+        for name in ("u_x", "u_z"):
+            assert np.array_equal(slider[name], record[f"fields/{name}"][number].ravel())
+        for name in ("tau", "p"):
+            assert np.array_equal(interface[name], record[name][2 * number])
+        assert np.array_equal(interface["pinned_fraction"], record.pinned_fraction[2 * number])
+
+
 def test_the_stress_bears_the_normal_load(folder):
     still = rupture.run("load", output="equilibrium.h5", config=SMALL).checkpoint
     draws("xdmf", still.path, "-o", "still.xdmf")
@@ -84,4 +123,4 @@ def test_leaves_a_folder_that_can_be_verified(series):
 def test_equal_checkpoints_count_once(series):
     Path("copy.h5").write_bytes(series[1].read_bytes())
     draws("xdmf", *series, "copy.h5", "-o", "once.xdmf")
-    assert Path("once.xdmf").read_text().count("<Time ") == len(series)
+    assert Path("once.xdmf").read_text().count("<Time ") == 2 * len(series)

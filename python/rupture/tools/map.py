@@ -1,33 +1,60 @@
-"""map: a picture of a record in space and time."""
+"""map: a picture of one or several records in space and time."""
 
 import itertools
+from collections import namedtuple
 
 import numpy as np
 
 from rupture import plotting
+from rupture.errors import Failure, UsageError
 from rupture.programs import analyze
 from rupture.tables import imported
 from rupture.tools.command_line import Parser
-from rupture.tools.output import check_output, complete, progress, say_written
+from rupture.tools.output import check_output, complete, origin_of, progress, say_written
 from rupture.tools.window import add_window, open_record, window_of
 
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
 LINE = 0.026  # height of an event's number, of that of the panel
+Shown = namedtuple("Shown", "path record events window")  # a record, and what is drawn of it
 LEGEND = "White line: 30 % of the junctions are pinned. Marks at the right: an event begins."
 
 
 def parse_options():
     made = Parser(
-        "map RECORD -o FILE [options]",
+        "map RECORD... -o FILE [options]",
         "Draws a record, or an unfinished one, in space and time: the fraction of pinned"
-        " junctions, the slip speed and tau/p, and the speeds of its fronts.",
+        " junctions, the slip speed and tau/p, and the speeds of its fronts. Of several records:"
+        " a row for each, with the same axes and colours, and the lines of all fronts in one"
+        " panel.",
         "record",
     )
-    made.add_argument("record", metavar="RECORD")
+    made.add_argument("records", metavar="RECORD", nargs="+")
     made.add_output("picture to write: .png, .pdf or .svg")
     add_window(made)
     return made.parse_args()
+
+
+def shown_of(options, path):
+    record = open_record(path)
+    events = analyze("events", path)["events"]
+    try:
+        begin, end = window_of(options, record, events)
+    except (Failure, UsageError) as error:
+        if len(options.records) == 1:
+            raise
+        raise type(error)(f"{path}: {error}") from None
+    inside = [one for one in events if one["t_end"] >= begin and one["t_start"] <= end]
+    return Shown(path, record, inside, (begin, end))
+
+
+def refuse_other_lengths(shown):
+    """Because x/L would not be the same place."""
+    first, length = shown[0], shown[0].record.parameters["slider.L"]
+    for other in shown[1:]:
+        if (found := other.record.parameters["slider.L"]) != length:
+            lengths = f"{first.path} has an interface of {length:g} m, {other.path} of {found:g} m"
+            raise UsageError(f"{lengths}: give records of the same length")
 
 
 def slip_speed(record, rows):
@@ -35,21 +62,29 @@ def slip_speed(record, rows):
     return np.abs(np.gradient(record["u_x"][rows], record.time[rows], axis=0))
 
 
-def draw_slip_speed(figure, axes, record, rows, t_zero):
-    colors = imported("matplotlib.colors")
-    speed = np.maximum(slip_speed(record, rows), SLOWEST)
-    scale = colors.LogNorm(SLOWEST, max(speed.max(), 10 * SLOWEST))
-    image = plotting.draw_image(axes, record, speed, rows, t_zero, norm=scale, cmap="magma")
-    figure.colorbar(image, ax=axes, label="slip speed [m/s]", location="top", extend="min")
-
-
-def draw_tau_over_p(figure, axes, record, rows, t_zero):
+def tau_over_p(record, rows):
     p = record["p"][rows]
-    ratio = np.divide(record["tau"][rows], p, out=np.full(p.shape, np.nan), where=p > 0)
-    lowest, highest = np.nanquantile(ratio, (0.005, 0.995)) if (p > 0).any() else (0, 1)
+    return np.divide(record["tau"][rows], p, out=np.full(p.shape, np.nan), where=p > 0)
+
+
+def draw_slip_speeds(figure, column, images):
+    """`column` are the panels of these (record, rows, t_zero)."""
+    colors = imported("matplotlib.colors")
+    speeds = [np.maximum(slip_speed(record, rows), SLOWEST) for record, rows, _ in images]
+    norm = colors.LogNorm(SLOWEST, max(10 * SLOWEST, *(speed.max() for speed in speeds)))
+    for axes, speed, (record, rows, t_zero) in zip(column, speeds, images):
+        image = plotting.draw_image(axes, record, speed, rows, t_zero, norm=norm, cmap="magma")
+    figure.colorbar(image, ax=column, label="slip speed [m/s]", location="top", extend="min")
+
+
+def draw_tau_over_p(figure, column, images):
+    ratios = [tau_over_p(record, rows) for record, rows, _ in images]
+    known = np.concatenate([ratio[np.isfinite(ratio)] for ratio in ratios])
+    lowest, highest = np.quantile(known, (0.005, 0.995)) if len(known) else (0, 1)
     look = {"cmap": "RdYlBu_r", "vmin": lowest, "vmax": highest}
-    image = plotting.draw_image(axes, record, ratio, rows, t_zero, **look)
-    figure.colorbar(image, ax=axes, label=r"$\tau/p$", location="top", extend="both")
+    for axes, ratio, (record, rows, t_zero) in zip(column, ratios, images):
+        image = plotting.draw_image(axes, record, ratio, rows, t_zero, **look)
+    figure.colorbar(image, ax=column, label=r"$\tau/p$", location="top", extend="both")
 
 
 def spread(places, low, high):
@@ -77,12 +112,33 @@ def mark_events(axes, events, t_zero, numbered):
             axes.annotate(f"{event['number']}", (1.09, height), **place)
 
 
-def draw_speeds(axes, path, events):
-    """The front speeds of the events that span the interface; of all events if none does."""
-    chosen = [event for event in events if event["spanning"]] or events
-    names = {event["number"]: f"event {event['number']}" for event in chosen[:NAMED]}
-    speeds = (analyze("front", path, event=number) for number in names)
-    fronts = dict(zip(names, progress(speeds, len(names), "front")))
+def fronts_of(shown):
+    """The events that span the interface, of all events if none does; the fronts of the first of
+    them by number."""
+    chosen = [event for event in shown.events if event["spanning"]] or shown.events
+    numbers = [event["number"] for event in chosen[:NAMED]]
+    fronts = (analyze("front", shown.path, event=number) for number in numbers)
+    return chosen, dict(zip(numbers, progress(fronts, len(numbers), "front")))
+
+
+def draw_front_lines(axes, shown, t_zeros):
+    """Where the fronts of several records are at which time."""
+    for one, t_zero, colour in zip(shown, t_zeros, itertools.cycle(plotting.LINES)):
+        label = plotting.plain_text(one.record.path.name)
+        for front in fronts_of(one)[1].values():
+            x, time = np.array(front["x"]), np.array(front["t_front"], dtype=float)
+            shift = (time - t_zero) * plotting.MILLISECONDS
+            axes.plot(x / front["L"], shift, ".-", color=colour, lw=1, label=label)
+            label = None
+    plotting.along_interface(axes)
+    legend = axes.legend(fontsize=6.5, title="fronts", loc="lower center", bbox_to_anchor=(0.5, 1))
+    legend.set_in_layout(False)
+
+
+def draw_speeds(axes, shown):
+    """The front speeds of one record."""
+    chosen, fronts = fronts_of(shown)
+    names = {number: f"event {number}" for number in fronts}
     marks = itertools.cycle("o^sDv")
     colours = itertools.cycle(plotting.LINES)
     looks = {n: (name, next(colours), next(marks)) for n, name in names.items()}
@@ -101,42 +157,60 @@ def draw_speeds(axes, path, events):
     legend.set_in_layout(False)  # there is room where the other panels have their colours
 
 
-def figure_of(record, path, events, window):
+def title_of(one, t_zero):
+    begin, end, start = (f"{t * plotting.MILLISECONDS:.6g} ms" for t in (*one.window, t_zero))
+    title = f"{plotting.plain_text(one.record.path.name)}, {begin} to {end}"
+    return title + (f"; event {one.events[0]['number']} begins at {start}" if t_zero else "")
+
+
+def figure_of(shown):
+    single = all(len(one.events) == 1 for one in shown)
+    t_zeros = [one.events[0]["t_start"] if single else 0.0 for one in shown]
+    windows = [
+        [(t - t_zero) * plotting.MILLISECONDS for t in one.window]
+        for one, t_zero in zip(shown, t_zeros)
+    ]
+    limits = min(begin for begin, _ in windows), max(end for _, end in windows)
+    images = [
+        (one.record, plotting.rows_in(one.record, t_zero, window), t_zero)
+        for one, t_zero, window in zip(shown, t_zeros, windows)
+    ]
     pyplot = plotting.pyplot_without_window()
-    figure, axes = pyplot.subplots(1, 4, figsize=(10, 4.2))
-    axes[1].sharey(axes[0])
-    axes[2].sharey(axes[0])
-    single = len(events) == 1
-    t_zero = events[0]["t_start"] if single else 0.0
-    shown = [(t - t_zero) * plotting.MILLISECONDS for t in window]
-    rows = plotting.rows_in(record, t_zero, shown)
-    image = plotting.draw_pinned(axes[0], record, t_zero, shown)
-    plotting.draw_pinned_scale(figure, image, axes[0], location="top")
-    draw_slip_speed(figure, axes[1], record, rows, t_zero)
-    draw_tau_over_p(figure, axes[2], record, rows, t_zero)
-    for panel in axes[:3]:
-        panel.set(ylim=shown)
-        mark_events(panel, events, t_zero, numbered=panel is axes[2])
-        panel.label_outer()
-    axes[2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
-    begin, end, start = (f"{t * plotting.MILLISECONDS:.6g} ms" for t in (*window, t_zero))
-    title = f"{plotting.plain_text(record.path.name)}, {begin} to {end}"
-    title += f"; event {events[0]['number']} begins at {start}" if single else ""
-    axes[0].set_ylabel("time since the event began [ms]" if single else "time [ms]")
-    draw_speeds(axes[3], path, events)
-    figure.suptitle(title)
+    figure = pyplot.figure(figsize=(10, 4.2 + 2.8 * (len(shown) - 1)))
+    grid = figure.add_gridspec(len(shown), 4)
+    maps = np.array(
+        [[figure.add_subplot(grid[row, n]) for n in range(3)] for row in range(len(shown))]
+    )
+    last = figure.add_subplot(grid[:, 3])
+    for axes, (record, _, t_zero), window in zip(maps[:, 0], images, windows):
+        image = plotting.draw_pinned(axes, record, t_zero, window)
+    plotting.draw_pinned_scale(figure, image, maps[:, 0], location="top")
+    draw_slip_speeds(figure, maps[:, 1], images)
+    draw_tau_over_p(figure, maps[:, 2], images)
+    for row, one, t_zero in zip(maps, shown, t_zeros):
+        for panel in row:
+            panel.set(ylim=limits)
+            mark_events(panel, one.events, t_zero, numbered=panel is row[2])
+            panel.label_outer()
+        row[0].set_ylabel("time since the event began [ms]" if single else "time [ms]")
+        if len(shown) > 1:
+            row[0].set_title(title_of(one, t_zero), loc="left")
+    maps[0, 2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
+    if len(shown) > 1:
+        draw_front_lines(last, shown, t_zeros)
+    else:
+        draw_speeds(last, shown[0])
+        figure.suptitle(title_of(shown[0], t_zeros[0]))
     figure.supxlabel(LEGEND, fontsize=7)
     return figure
 
 
 def run():
     options = parse_options()
-    check_output(options.output, options.force, (".png", ".pdf", ".svg"), [options.record])
-    record = open_record(options.record)
-    events = analyze("events", options.record)["events"]
-    begin, end = window_of(options, record, events)
-    shown = [one for one in events if one["t_end"] >= begin and one["t_start"] <= end]
-    figure = figure_of(record, options.record, shown, (begin, end))
+    check_output(options.output, options.force, (".png", ".pdf", ".svg"), options.records)
+    shown = [shown_of(options, path) for path in options.records]
+    refuse_other_lengths(shown)
+    figure = figure_of(shown)
     with complete(options.output, options.force) as path:
-        figure.savefig(path, dpi=200)
+        plotting.save(figure, path, origin_of("map", [one.record for one in shown]), dpi=200)
     say_written(options.output)

@@ -1,6 +1,7 @@
 """Files appear complete or not at all, and replace others only on request."""
 
 import os
+import shlex
 import sys
 from contextlib import contextmanager
 from pathlib import Path
@@ -55,6 +56,13 @@ def progress(items, count, what):
 def say_written(*paths):
     for path in paths:
         print(f"wrote {in_one_line(str(path))}")
+
+
+def origin_of(name, files):
+    """The command of a program in Python, and the files that it read."""
+    command = shlex.join(["rupture", name, *sys.argv[1:]])
+    sums = [f"{file.path}: content-sha256 {file.checksum or 'unknown'}" for file in files]
+    return "\n".join(in_one_line(line) for line in (command, *sums))
 
 
 @contextmanager
