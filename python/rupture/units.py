@@ -29,6 +29,12 @@ def in_si(text):
     return value, unit
 
 
+def unit_in(text):
+    """ms of 10ms; empty if there is none."""
+    match = AMOUNT.fullmatch(text)
+    return match[2] or "" if match else ""
+
+
 def without_unit(text):
     """10ms becomes 0.01. A text without a unit stays as it is."""
     match = AMOUNT.fullmatch(text)

@@ -22,7 +22,7 @@ from chains.values import is_expression, values_of
 RECIPES = SHARE / "recipes"
 SECTIONS = ("chain", "commands", "values", "quantities", "units", "figure")
 KEYS = {
-    "chain": ("title", "like", "points", "base", "keep", "memory", "threads"),
+    "chain": ("title", "like", "points", "base", "keep", "memory", "threads", "axis"),
     "figure": ("reads", "beside", "pictures", "tables", "others"),
 }
 RUNS = (*PROGRAMS, *DRAWING)  # programs that a chain may run

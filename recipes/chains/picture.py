@@ -1,16 +1,24 @@
 """The default picture of a user's sweep: every measured quantity against the one or two values that
 vary, each a Column (report.py). Seeds are repetitions: single ones and their median are shown."""
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from matplotlib.colors import ListedColormap
 
 from measure.map_panels import COLOURS
+from report.symbols import GREEK
+from rupture.units import in_si
 from report.plotting import BLACK, DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
 
 SEEDS = ("seed", "numerics.seed")
 PANEL = 62 * MM  # height [inch]
+OPTIONS = {"tau-bar": "tau_bar_0", "sigma-bar": "sigma_bar"}  # symbols of options
+SYMBOL = re.compile(rf"(delta )?({'|'.join(GREEK)}|[A-Za-z])(_bar)?(?:_(\w+))?")
+FEW = 8  # places of a logarithmic axis that have their numbers
+QUARTILES = (0.25, 0.5, 0.75)
 HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
 
 
@@ -19,12 +27,42 @@ def plain(text):
     return text.replace("$", r"\$")
 
 
+def symbol_of(name, sweep):
+    """A symbol of docs/units-and-signs.md for Matplotlib; empty for what has none."""
+    found = SYMBOL.fullmatch(OPTIONS.get(name) or sweep.symbols.get(name, ""))
+    if not found:
+        return ""
+    change, letter, bar, index = found.groups(default="")
+    letter = rf"\{letter}" if letter in GREEK else letter
+    letter = rf"\bar{{{letter}}}" if bar else letter
+    index = f"{{{index}}}" if len(index) < 3 else rf"\mathrm{{{index}}}"
+    return rf"${'Δ' if change else ''}{letter}{'_' + index if found[4] else ''}$"
+
+
+def as_typed(column, sweep):
+    """With its symbol, and numbers in the unit in which all of them were typed."""
+    column = replace(column, symbol=symbol_of(column.name, sweep), axis=sweep.axis)
+    if not (unit := sweep.typed.get(column.name)) or not column.unit:
+        return column
+    factor = in_si(f"1{unit}")[0]
+    cells = [cell and float(f"{float(cell) / factor:.12g}") for cell in column.cells]
+    return replace(column, unit=unit, cells=cells)
+
+
+def label_of(column):
+    heading = plain(column.heading)
+    return heading.replace(plain(column.name), column.symbol, 1) if column.symbol else heading
+
+
 def set_axis(axes, which, axis):
-    axes.set(**{f"{which}label": plain(axis.heading), f"{which}scale": axis.scale})
+    axes.set(**{f"{which}label": label_of(axis), f"{which}scale": axis.scale})
     if axis.categories:
         axes.set(**{f"{which}ticks": range(len(axis.categories))})
         axes.set(**{f"{which}ticklabels": axis.categories})
         axes.set(**{f"{which}lim": (-0.5, len(axis.categories) - 0.5)})
+    elif axis.scale == "log" and len(places := np.unique(axis.positions)) <= FEW:
+        axes.minorticks_off()
+        axes.set(**{f"{which}ticks": places, f"{which}ticklabels": [f"{p:g}" for p in places]})
     elif axis.scale == "linear":
         axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)
 
@@ -47,11 +85,15 @@ def draw_line(axes, x, y, done):
         places, counts = np.unique([x.positions, y.positions], axis=1, return_counts=True)
         axes.scatter(*places, s=12 * counts, color=LINES[0], linewidth=0)
     else:
-        places = np.unique(x.positions)
-        medians = np.array([middle(y, x.positions == place) for place in places])
-        known = np.isfinite(medians)
+        known = np.isfinite(x.positions) & np.isfinite(y.positions)
+        places = np.unique(x.positions[known])
+        at = [y.positions[known & (x.positions == place)] for place in places]
+        low, medians, high = np.array([np.quantile(each, QUARTILES) for each in at]).T.reshape(
+            3, -1
+        )
         axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
-        axes.plot(places[known], medians[known], color=LINES[0])
+        axes.fill_between(places, low, high, color=LINES[0], alpha=0.2, linewidth=0)
+        axes.plot(places, medians, color=LINES[0])
     set_axis(axes, "x", x)
     set_axis(axes, "y", y)
     without_value = done & np.isnan(y.positions)
@@ -119,15 +161,17 @@ def draw_map(fig, axes, x, y, z, done):
 def draw_columns(stem, sweep, columns):
     """Writes the picture, or says why there is none."""
     by_name = {column.name: column for column in columns}
-    varied = [by_name[name] for name in sweep.varied if name not in SEEDS]
+    varied = [as_typed(by_name[name], sweep) for name in sweep.varied if name not in SEEDS]
     if len(varied) not in (1, 2):
         vary = f"{len(varied)} values vary (seeds do not count)"
         return f"No picture: {vary}; pictures are drawn of one or two."
     for axis in varied:
         if None in axis.cells:
             return f"No picture: some points have no {axis.name}."
+    if all(name not in by_name for name in sweep.columns):
+        return "No picture: all quantities are lists."
     done = np.array([status == "done" for status in by_name["status"].cells])
-    measured = [by_name[name] for name in sweep.columns]
+    measured = [by_name[name] for name in sweep.columns if name in by_name]
     beside = min(2, len(measured))
     below = -(-len(measured) // beside)
     size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
@@ -142,7 +186,7 @@ def draw_columns(stem, sweep, columns):
     line, crosses = ("line", "crosses") if len(varied) == 1 else ("colour", "hatched")
     seeds = max(len({*by_name[name].texts}) if name in by_name else 1 for name in SEEDS)
     notes = {
-        f"{line}: median of {seeds} seeds": seeds > 1,
+        f"{line}: median of {seeds} seeds{', band: quartiles' * (line == 'line')}": seeds > 1,
         f"{crosses}: not done": not done.all(),
         "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured),
     }

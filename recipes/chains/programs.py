@@ -12,9 +12,12 @@ from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.units import in_si
 from chains.ini import check_known, suggestion, words_of
+from chains.expressions import Expression, first_known
 from chains.values import HEADING
 
 VARIABLE = ("number", "integer", "choice", "text")  # kinds of values; others are files and flags
+PATH = re.compile(r"[\w-]+(\.(-?\w+|\*))*")  # to a quantity: front.v_c.28
+ELEMENT = "element"  # the column of a number in a list
 STATE = ("status", "sentence", "point")  # columns of every table
 OPTION = re.compile(r"-[A-Za-z-]")  # how one begins; negative numbers do not
 PLAIN = re.compile(r"[A-Za-z0-9_][\w.-]*")  # name of a file in the point's folder
@@ -163,8 +166,8 @@ def check_points(points, programs):
 
 
 def unit_of_column(path, commands, programs):
-    """`path` is the name of a command, then a place in what it reports. `analyze strength` reports
-    numbers of a shape, but lists of a file."""
+    """`path` is the name of a command, then a place in what it reports; of a list, the unit of its
+    elements. `analyze strength` reports numbers of a shape, but lists of a file."""
     command, _, rest = path.partition(".")
     if command not in commands:
         like = f"; write one like {command} = analyze {command} record.h5"
@@ -179,25 +182,42 @@ def unit_of_column(path, commands, programs):
     if pattern in known and not (is_list and of_file):
         return known[pattern]
     if is_list:
-        raise UsageError(f"'{quantity}' is a list: name one of its elements, as {quantity}.0")
+        return known[f"{pattern}.*"]
     near = suggestion(pattern, known) or "; rupture analyze quantities lists what there is"
     raise UsageError(f"analyze reports no '{quantity}'{near}")
 
 
-def check_columns(chain, names, programs):
-    """{name: path} and {name: unit}; `names`: of values. A heading may repeat the unit, as in
-    `speed [m/s]`."""
+def check_names(text, names, commands, programs):
+    """Those in an expression."""
+    for dotted in Expression(text, names).names:
+        if not (first := first_known(dotted, names)):
+            raise UsageError(f"'{text}': there is no '{dotted.partition('.')[0]}'")
+        words = words_of(commands.get(first, "-"))
+        asked = f"{words[-1] if len(words) < 2 else words[1]}{dotted.removeprefix(first)}"
+        known = (one == asked or one.startswith(f"{asked}.") for one in programs.quantities)
+        if first in commands and not (words[0] == "analyze" and any(known)):
+            unit_of_column(dotted, commands, programs)
+
+
+def check_columns(chain, values, names, programs):
+    """{name: path, or expression} and {name: unit}; `values`: names of values, `names`: of all that
+    expressions may have. A heading may repeat the unit of a path, as in `speed [m/s]`; of an
+    expression it says the unit."""
     columns: dict[str, str] = {}
     units: dict[str, str] = {}
-    taken = [*STATE, *names]
+    taken = [*STATE, ELEMENT, *values]
     if not (rows := chain.sections.get("quantities")):
         sentence = "it needs a section [quantities], as in type = front.type"
         raise chain.error("quantities", "", sentence)
     for heading, path in rows.items():
         with chain.errors_at("quantities", heading):
             ((name, _, stated),) = HEADING.findall(heading)
-            unit = unit_of_column(path, chain.commands, programs)
-            if stated and unit in ("", "1"):
+            if not PATH.fullmatch(path):
+                check_names(path, names, chain.commands, programs)
+                unit = stated or "1"
+            else:
+                unit = unit_of_column(path, chain.commands, programs)
+            if stated and PATH.fullmatch(path) and unit in ("", "1"):
                 raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
             if stated not in ("", unit):
                 raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")

@@ -5,22 +5,24 @@ import io
 import os
 import re
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from chains.check import check
+from chains.check import check, names_of
+from chains.expressions import as_number
 from chains.point import UNFINISHED
 from chains.plan import FILES
 from chains.points import Waiting
 from chains.selection import Chains
 from chains.store import RESULTS, read, result_of, write_own
 from rupture.errors import UsageError
+from rupture.units import unit_in
 from reproduce.written import take
 from chains.programs import check_columns, check_points
-from chains.ini import errors_of, new_ini
+from chains.ini import check_known, errors_of, new_ini
 from chains.values import references
 
-ENDINGS = (".ini", ".csv", ".hdf5", ".png", ".pdf")
+ENDINGS = (".ini", ".csv", ".hdf5", "-elements.csv", "-elements.hdf5", ".png", ".pdf")
 NOT_REACHED = "it was not reached, or its process was ended"
 
 
@@ -28,10 +30,13 @@ NOT_REACHED = "it was not reached, or its process was ended"
 class Sweep:
     title: str
     points: list
-    columns: dict  # heading: path inside the point's file
+    columns: dict  # heading: path inside the point's file, or an expression
     varied: list  # names of the values that differ between points, without those that follow others
     units: dict  # of values and columns, where the file has them
     file: str  # as it was run
+    axis: str = ""  # log or linear; empty: by the numbers
+    symbols: dict = field(default_factory=dict)  # of parameters, as `rupture parameters` has them
+    typed: dict = field(default_factory=dict)  # units, where all numbers of a name have the same
 
 
 class OwnSweep:
@@ -61,8 +66,8 @@ class OwnSweep:
                     units |= check_points(points, self.chains.programs)
         lists = [one for chain in self.lineage for one in chain.lists.values()]
         self.lists = [item for one in lists for item in one.items()]
-        names = [name for name, _ in self.lists]
-        columns, of_columns = check_columns(self.chain, names, self.chains.programs)
+        values, names = [name for name, _ in self.lists], names_of(self.chains, self.chain)
+        columns, of_columns = check_columns(self.chain, values, names, self.chains.programs)
         self.sweep = Sweep(
             title=self.chain.keys.get("title", self.chain.path.stem),
             points=self.points or [],
@@ -70,7 +75,22 @@ class OwnSweep:
             varied=self.varied(),
             units=units | of_columns,
             file=f"{self.stem}.ini",
+            axis=self.chain.keys.get("axis", ""),
+            symbols={n: row["symbol"] for n, row in self.chains.programs.parameters.items()},
+            typed=self.typed(),
         )
+        self.check_axis()
+
+    def check_axis(self):
+        """That a logarithmic axis has positive numbers only."""
+        with self.chain.errors_at("chain", "axis"):
+            check_known(self.sweep.axis, ("", "log", "linear"), "an axis is log or linear, not")
+            for point in self.points or () if self.sweep.axis == "log" else ():
+                for name, text in point.texts(point.look_up).items():
+                    if isinstance(value := as_number(text), float) and value <= 0:
+                        raise UsageError(
+                            f"{name} is {text}: a logarithmic axis has no place for it"
+                        )
 
     def check_some(self):
         """That there are points, if they are known."""
@@ -94,7 +114,21 @@ class OwnSweep:
         follows = {name for name, texts in self.lists if len(texts) == 1 and references(texts[0])}
         rows = [point.texts(point.look_up) for point in self.points or ()]
         names = dict.fromkeys(name for row in rows for name in row if name not in follows)
-        return [name for name in names if len({row.get(name) for row in rows}) > 1]
+        found = [name for name in names if len({row.get(name) for row in rows}) > 1]
+        return [name for name in found if name == "variant" or not self.names_variant(name, rows)]
+
+    @staticmethod
+    def names_variant(name, rows):
+        """Whether each variant has one value of it, so that it varies with the variant."""
+        pairs = {(row.get("variant"), row.get(name)) for row in rows}
+        return len(pairs) == len({variant for variant, _ in pairs}) > 1
+
+    def typed(self):
+        texts = [item for point in self.points or () for item in point.texts(point.look_up).items()]
+        found: dict[str, set] = {}
+        for name, text in texts:
+            found.setdefault(name, set()).add(unit_in(text or ""))
+        return {name: units.pop() for name, units in found.items() if len(units) == 1}
 
     @property
     def before(self):
@@ -116,7 +150,7 @@ class OwnSweep:
         take(RESULTS, *files, *(self.stem.parent / "plan" / name for name in FILES))
         sections = {"sweep" if n == "chain" else n: {**s} for n, s in self.chain.sections.items()}
         own = sections.setdefault("sweep", {})
-        sections |= {"quantities": self.sweep.columns, "units": self.sweep.units}
+        sections |= {"units": self.sweep.units}
         own.pop("like", None)
         if len(self.chain.copies) == 1:
             own["base"] = os.path.relpath(next(iter(self.chain.copies.values())), self.stem.parent)

@@ -3,7 +3,8 @@
 import re
 import sys
 from collections import Counter
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -13,11 +14,15 @@ import numpy as np
 from rupture.replacing import replacing
 from rupture.tools.command_line import in_one_line, plural
 from rupture.units import without_unit
+from chains.expressions import Expression
 from chains.point import UNFINISHED
+from chains.programs import ELEMENT, PATH
+from chains.results import origin_lines
 from chains.sweeps import result
 from measure.tables import write_table
 from measure.front_map import TYPES
 from chains.picture import draw
+from report.plotting import made_by
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100
@@ -32,10 +37,21 @@ class Column:
     name: str
     unit: str  # 1: a dimensionless number; empty: a text
     cells: list  # texts and numbers of JSON; None where there is none
+    symbol: str = ""  # for Matplotlib, in place of the name
+    axis: str = ""  # log or linear; empty: by the numbers
 
     @property
     def heading(self):
         return self.name if self.unit in ("", "1") else f"{self.name} [{self.unit}]"
+
+    @property
+    def has_texts(self):
+        """Of an expression: whether it gave a text, or a truth value."""
+        return self.unit == "1" and any(isinstance(cell, (str, bool)) for cell in self.cells)
+
+    @property
+    def has_lists(self):
+        return any(isinstance(cell, list) for cell in self.cells)
 
     @property
     def texts(self):
@@ -61,6 +77,8 @@ class Column:
         """Logarithmic where positive numbers span two decades, or three or more of them are spaced
         by a factor."""
         places = np.unique(self.positions[np.isfinite(self.positions)])
+        if self.axis and self.unit:
+            return self.axis
         if not self.unit or not len(places) or places[0] <= 0:
             return "linear"
         spans = places[-1] >= TWO_DECADES * places[0]
@@ -75,13 +93,26 @@ def text_of(cell):
 
 
 def find(tree, path):
-    """The value that a path such as front.v_c.3 leads to; None where it leads nowhere."""
+    """The value that a path such as front.v_c.3 leads to, with * to a list of them; None where it
+    leads nowhere."""
+    key, _, rest = path.partition(".")
     try:
-        for key in path.split("."):
-            tree = tree[int(key)] if isinstance(tree, list) else tree[key]
+        if key == "*":
+            return [find(one, rest) if rest else one for one in tree]
+        one = tree[int(key)] if isinstance(tree, list) else tree[key]
     except (KeyError, IndexError, TypeError, ValueError):
         return None
-    return tree
+    return find(one, rest) if rest else one
+
+
+def measured(point, found, text):
+    """What a point has of a quantity; nothing where an expression cannot be worked out."""
+    if PATH.fullmatch(text):
+        return find(found["reports"], text)
+    with suppress(ValueError):
+        if found["status"] == "done":
+            return Expression(text, point.names).value(point.known)
+    return None
 
 
 def is_geometric(places):
@@ -96,8 +127,8 @@ def rows(sweep):
     for point in sweep.points:
         found = result(point)
         state = {name: found[name] for name in ("status", "sentence")}
-        measured = {n: find(found["reports"], path) for n, path in sweep.columns.items()}
-        yield {**point.texts(point.known), **state, **measured, "point": point.id}
+        quantities = {n: measured(point, found, path) for n, path in sweep.columns.items()}
+        yield {**point.texts(point.known), **state, **quantities, "point": point.id}
 
 
 def columns_of(sweep, table):
@@ -107,7 +138,24 @@ def columns_of(sweep, table):
     names = [*values, *others]
     for row in table:
         row |= {n: without_unit(row[n]) for n in values if row.get(n) and sweep.units.get(n)}
-    return [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
+    columns = [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
+    return [replace(one, unit="") if one.has_texts else one for one in columns]
+
+
+def elements_of(columns):
+    """A row for each element of the lists, with the values and the name of the point, and the
+    number of the element; nothing without lists."""
+    lists = [column for column in columns if column.has_lists]
+    state = columns.index(next(column for column in columns if column.name == "status"))
+    heads = [*columns[:state], columns[-1]]
+    longest = [max(len(cell or ()) for cell in cells) for cells in zip(*(c.cells for c in lists))]
+    rows = [(row, n) for row, length in enumerate(longest) for n in range(length)]
+    own = [replace(head, cells=[head.cells[row] for row, _ in rows]) for head in heads]
+    own.append(Column(ELEMENT, "1", [n for _, n in rows]))
+    for one in lists:
+        cells = [(one.cells[row] or [])[n : n + 1] for row, n in rows]
+        own.append(replace(one, cells=[cell[0] if cell else None for cell in cells]))
+    return own if lists else []
 
 
 def write_csv(path, columns):
@@ -177,11 +225,21 @@ def report_sweep(sweep, missing):
     table = list(rows(sweep))
     columns = columns_of(sweep, table)
     plan = Path(sweep.file).resolve()
-    write_csv(plan.with_suffix(".csv"), columns)
-    write_hdf5(plan.with_suffix(".hdf5"), sweep.title, columns)
-    unfinished = print_summary(sweep, table, missing)
     stem = plan.with_suffix("")
+    elements, columns = elements_of(columns), [c for c in columns if not c.has_lists]
+    for name, content in ((f"{stem}", columns), (f"{stem}-elements", elements)):
+        if content:
+            write_csv(Path(f"{name}.csv"), content)
+            write_hdf5(Path(f"{name}.hdf5"), sweep.title, content)
+        else:
+            for ending in (".csv", ".hdf5"):
+                Path(f"{name}{ending}").unlink(missing_ok=True)
+    unfinished = print_summary(sweep, table, missing)
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
+    if elements:
+        print(f"Table of lists: {stem}-elements.csv and .hdf5", flush=True)
+    done = [(point.path, result(point)) for point in sweep.points if point.is_done]
+    made_by[:] = origin_lines(f"./reproduce.sh sweep {plan.name}", done)
     print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
     if unfinished:
         print("To retry the unfinished points, run the same command again.", file=sys.stderr)

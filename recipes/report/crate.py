@@ -16,6 +16,8 @@ from urllib.parse import quote
 
 import yaml
 
+from chains.ini import new_ini
+from measure.tables import read_table
 from reproduce.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
@@ -130,11 +132,31 @@ def whole_file(results, path):
     return file_entity(results, path, contentSize=str(len(content)), sha256=digest)
 
 
+def points_of(folder):
+    """Of a user's sweep, by its table."""
+    table = folder / f"{folder.name}.csv"
+    names = read_table(table)["point"] if table.exists() else ()
+    return [f"results/data/points/{name}.json" for name in names]
+
+
+def described(root, name):
+    """Title, commands, and what one types: of a recipe, or of a user's sweep."""
+    if not name.startswith("sweeps/"):
+        readme = read_readme(root / "recipes" / name / "README.md")
+        return readme.title, readme.commands, f"./reproduce.sh {name}"
+    stem, ini = name.removeprefix("sweeps/"), new_ini()
+    ini.read(root / "results" / name / f"{stem}.ini", encoding="utf-8")
+    lines = [f"{key} = {line}" for key, line in ini["commands"].items()]
+    title = ini.get("sweep", "title", fallback=stem)
+    return title, "\n".join(lines), f"./reproduce.sh sweep {stem}.ini"
+
+
 def run_of(root, name, accounts, source, built):
-    """A recipe that has results: what they were made from, and its folder. `built` are programs by
-    the texts of origin.builds()."""
-    results, behind = root / "results", accounts.files_behind(name)
-    readme = read_readme(root / "recipes" / name / "README.md")
+    """A recipe or sweep that has results: what they were made from, and its folder. `built` are
+    programs by the texts of origin.builds()."""
+    results = root / "results"
+    behind = accounts.files_behind(name, points_of(results / name) if "sweeps/" in name else ())
+    title, commands, typed = described(root, name)
     paths = sorted(path for path in (results / name).glob("[!.]*") if path.is_file())
     files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
     checkpoints = [  # and records, by the checksums of their content
@@ -148,22 +170,24 @@ def run_of(root, name, accounts, source, built):
     ]
     jobs = accounts.jobs(behind)
     return entity(
-        f"#run-{name}",
+        f"#run-{quote(name)}",
         "CreateAction",
-        name=f"./reproduce.sh {name}",
-        description=readme.commands,
+        name=typed,
+        description=commands,
         startTime=jobs and moment(jobs[0]["started"]),
         endTime=jobs and moment(max(job["started"] + job["seconds"] for job in jobs)),
         instrument=[source, *programs],
         object=checkpoints,
-        result=[entity(f"{quote(name)}/", "Dataset", name=readme.title, hasPart=files), *files],
+        result=[entity(f"{quote(name)}/", "Dataset", name=title, hasPart=files), *files],
     )
 
 
 def crate(root, now):
     """The JSON-LD: a flat list of entities."""
     results, source, accounts = root / "results", software(), Accounts(root)
-    names = [name for name in recipe_names(root) if (results / name).is_dir()]
+    sweeps = sorted(path.parent.name for path in results.glob("sweeps/*/*.ini"))
+    names = [*recipe_names(root), *(f"sweeps/{name}" for name in sweeps)]
+    names = [name for name in names if (results / name).is_dir()]
     built: dict[str, dict] = {}
     runs = [run_of(root, name, accounts, source, built) for name in names]
     folders = [run["result"][0] for run in runs]

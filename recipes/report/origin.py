@@ -36,9 +36,11 @@ class Accounts:
         jobs = noted(root / "results/jobs.jsonl")
         self.by_output = {output: job for job in jobs for output in job["output"]}
 
-    def files_behind(self, recipe):
-        """The results of a recipe and all files they were made from, directly or not."""
-        waiting = [path for path in self.by_output if path.startswith(f"results/{recipe}/")]
+    def files_behind(self, recipe, files=()):
+        """The results of a recipe, or these files, and all that they were made from, directly or
+        not."""
+        own = (path for path in self.by_output if path.startswith(f"results/{recipe}/"))
+        waiting = [*own, *files]
         found = set(waiting)
         while waiting:
             inputs = self.by_output.get(waiting.pop(), {}).get("input", [])

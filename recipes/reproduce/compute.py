@@ -83,13 +83,9 @@ def prepare(request, processes):
     refuse_links(path for folder in of_chains if folder.exists() for path in os.scandir(folder))
     if processes.has_turn:
         put_back()  # of a run that was killed
-    if request.command != "sweep":  # before hours of computing
-        page = (
-            ("index.html", "numbers.csv", "claims.png", "claims.pdf")
-            if request.command == "all"
-            else ()
-        )
-        refuse_others(RESULTS, *(RESULTS / name for name in ("ro-crate-metadata.json", *page)))
+    page = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
+    ours = ("ro-crate-metadata.json", *(page if request.command == "all" else ()))
+    refuse_others(RESULTS, *(RESULTS / name for name in ours))  # before hours of computing
     if request.programs:
         ensure_packages(processes, "run")
     elif processes.has_turn:  # else another run builds the same
@@ -213,7 +209,9 @@ def run_sweep(request, processes):
             raise Failure(f"{request.file}: its points follow from others, which were not computed")
         own.write()
         count = len([point for point in own.points if point.path not in there])
-    return report.report_sweep(own.sweep, count)
+    code = report.report_sweep(own.sweep, count)
+    write_crate(processes)
+    return code
 
 
 def write_report_if_needed(processes):

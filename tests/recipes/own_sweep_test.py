@@ -189,7 +189,11 @@ REFUSED = [
     ("front.type", "frnt.type", "no 'frnt': did you mean 'front'"),
     ("front.type", "loading.F_T.0", "write one like loading = analyze loading record.h5"),
     ("front.type", "start.F_T", "'start' does not run analyze"),
-    ("front.type", "front.v_c", "is a list: name one of its elements, as front.v_c.0"),
+    ("front.type", "front.v_x[3] / 2", "no 'front.v_x'"),
+    ("front.type", "start.F_T / 2", "'start' does not run analyze"),
+    ("front.type", "2 * frnt.c_s", "there is no 'frnt'"),
+    ("front.type", "2 * (front.c_s", "cannot be read as an expression"),
+    ("[sweep]", "[sweep]\naxis = lg", "an axis is log or linear, not 'lg'"),
     ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s has the unit 'm/s'"),
     ("type = front.type", "t [m] = front.type", "front.type has no unit; leave out .m."),
     ("type = ", "v/c_s = ", "cannot be the heading"),
@@ -217,8 +221,31 @@ def test_a_list_of_a_file_is_a_number_of_a_shape(plan):
     text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
     rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
     assert plan(text + rest).units["m"] == "1"
-    with pytest.raises(UsageError, match="'strength.mu_bar_eff' is a list"):
-        plan(CHAIN.replace("stress s.h5", "strength s.h5") + "m = stress.mu_bar_eff")
+    of_file = plan(CHAIN.replace("stress s.h5", "strength s.h5") + "m = stress.mu_bar_eff")
+    assert of_file.units["m"] == "1"
+
+
+def test_expressions_are_quantities_with_the_unit_that_their_heading_says(plan):
+    sweep = plan(CHAIN + "c [km/s] = front.c_s / 1000\nratio = stress.F_T / 1920 / tau-bar\n")
+    assert (sweep.units["c"], sweep.units["ratio"]) == ("km/s", "1")
+    assert sweep.columns["c"] == "front.c_s / 1000"
+
+
+def test_a_logarithmic_axis_has_positive_numbers(plan):
+    log = CHAIN.replace("[sweep]", "[sweep]\naxis = log")
+    assert plan(log).axis == "log"
+    with pytest.raises(UsageError, match="sweep.ini, line 2: tau-bar is 0: a logarithmic axis has"):
+        plan(log.replace(VALUES, "tau-bar = 0, 0.1"))
+
+
+def test_what_a_variant_sets_varies_with_it(plan):
+    text = CHAIN.replace("[quantities]", "[variant a]\njunctions.t_R = 1ms\n[quantities]")
+    text = text.replace("[quantities]", "[variant b]\njunctions.t_R = 2ms\n[quantities]")
+    sweep = plan(text)
+    assert sweep.varied == ["variant", "tau-bar"]
+    assert sweep.typed == {"variant": "", "tau-bar": "", "junctions.t_R": "ms"}
+    both = text.replace("t_R = 2ms", "t_R = 2ms, 3ms")
+    assert plan(both).varied == ["variant", "tau-bar", "junctions.t_R"]
 
 
 def test_what_cannot_be_named_read_or_written_is_said_with_the_file(plan, tmp_path):

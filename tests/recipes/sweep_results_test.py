@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from chains.points import Point
-from chains.picture import cells, draw, draw_line, edges, middle
+from chains.picture import as_typed, cells, draw, draw_line, edges, label_of, middle
 from chains.sweeps import Sweep
-from chains.table import Column, columns_of, print_summary, write_csv, write_hdf5
+from chains.table import Column, columns_of, elements_of, measured
+from chains.table import print_summary, write_csv, write_hdf5
 from measure.tables import read_table
 from report.plotting import figure, save
 
@@ -68,6 +69,47 @@ def test_numbers_are_in_the_unit_of_their_column():
     sweep = Sweep("A", points, {}, [], {"V": "m/s", "law": ""}, "a.ini")
     V, law, *_ = columns_of(sweep, [dict(each) for each in values])
     assert (V.texts, V.heading, law.texts) == (["0.001", "2e-3"], "V [m/s]", ["1mm", "1mm"])
+
+
+REPORTS = {"front": {"v_c": [1.0, None, 3.0], "events": [{"t": 1}, {"t": 2}], "F_T": 960.0}}
+QUANTITIES = [  # text, value
+    ("front.v_c.-1", 3.0),
+    ("front.v_c.9", None),
+    ("front.v_c", [1.0, None, 3.0]),
+    ("front.events.*.t", [1, 2]),
+    ("front.F_T / 1920", 0.5),
+    ("front.F_T / 1920 > V", False),
+    ("[2 * v for v in known(front.v_c)]", [2.0, 6.0]),
+    ("front.v_c[1] + 1", None),
+    ("front.v_c[9] + 1", None),
+]
+
+
+@pytest.mark.parametrize("text, value", QUANTITIES)
+def test_a_quantity_is_a_number_a_list_or_an_expression(text, value):
+    point = mock.Mock(names={"front", "V"}, known=({"V": 1.0} | REPORTS).__getitem__)
+    assert measured(point, {"status": "done", "reports": REPORTS}, text) == value
+    assert measured(point, {"status": "failed", "reports": {}}, text) is None
+
+
+def test_lists_have_a_table_of_their_own_with_a_row_for_each_element():
+    columns = [
+        Column("V", "m/s", ["1", "2"]),
+        Column("status", "", ["done", "done"]),
+        Column("a", "s", [[1, None], None]),
+        Column("b", "1", [[3, 4, 5], [6]]),
+        Column("c", "1", [7, 8]),
+        Column("point", "", ["p", "q"]),
+    ]
+    expected = {
+        "V": ["1", "1", "1", "2"],
+        "point": ["p", "p", "p", "q"],
+        "element": [0, 1, 2, 0],
+        "a": [1, None, None, None],
+        "b": [3, 4, 5, 6],
+    }
+    assert {column.name: column.cells for column in elements_of(columns)} == expected
+    assert elements_of([column for column in columns if not column.has_lists]) == []
 
 
 # --- what is said ------------------------------------------------------------------------------
@@ -199,6 +241,31 @@ def test_medians_and_most_frequent_texts_in_the_order_of_fronts():
     texts = Column("a", "", ["fast", "b", "arrested", "a", "arrested", None])
     assert texts.categories == ["arrested", "fast", "b", "a"]
     assert middle(texts, np.full(6, True)) == 0
+
+
+@pytest.mark.parametrize(
+    "name, symbol, label",
+    [
+        ("t_R", "t_R", "$t_{R}$ [ms]"),
+        ("mu_new", "mu_new", r"$\mu_\mathrm{new}$ [ms]"),
+        ("d", "delta t_R", "$Δt_{R}$ [ms]"),
+        ("tau-bar", "", r"$\bar{\tau}_{0}$ [ms]"),
+        ("a$", "k_f/k", r"a\$ [ms]"),
+    ],
+)
+def test_axes_have_symbols_and_the_units_that_were_typed(name, symbol, label):
+    sweep = Sweep("A", [], {}, [name], {}, "a.ini", "log", {name: symbol}, {name: "ms"})
+    column = as_typed(Column(name, "s", ["0.001", "0.0023", None]), sweep)
+    assert (label_of(column), column.cells) == (label, [1.0, 2.3, None])
+    assert column.scale == "log"
+
+
+def test_a_band_from_quartile_to_quartile():
+    _, axes = figure()
+    x, y = Column("a", "1", [1, 1, 1, 2]), Column("b", "1", [1.0, 2.0, 4.0, None])
+    draw_line(axes, x, y, np.array([True] * 4))
+    low, high = axes.collections[0].get_paths()[0].get_extents().intervaly
+    assert (low, high, axes.lines[1].get_ydata()[0]) == (1.5, 3.0, 2.0)
 
 
 def test_cells_and_margins_are_as_the_axis_shows_them():
