@@ -104,11 +104,10 @@ void Simulation::advance(std::int64_t steps) {
 /// While this thread moves the interface, helpers only read the bulk. Who works on which band
 /// changes nothing. Numbers: sub-steps of the header.
 void Simulation::take_steps(std::int64_t steps) {
-  const BandWork kick_drift = [this](int band) { bulk_.kick_drift(band, state_); };
-  const BandWork prepare = [this](int band) { bulk_.prepare(band, state_); };
-  helpers_->share(kick_drift);  // 1, of the first step
+  const BandWork keep = [this](int band) { bulk_.keep_neighbouring_rows(band, state_); };
+  helpers_->share([this](int band) { bulk_.half_kick_and_drift(band, state_); });  // 1
   for (std::int64_t n = 0; n < steps; ++n) {
-    helpers_->share(prepare, [this, n] {
+    helpers_->share(keep, [this, n] {
       if (n > 0) add_work();
       if (!blown_up_) move_interface();  // 2, 3, and tau and F_T for 4
     });
@@ -116,7 +115,7 @@ void Simulation::take_steps(std::int64_t steps) {
 
     const Then then = n + 1 < steps && !watched_ruptures_ ? Then::go_on : Then::stop;
     helpers_->share([this, then](int band) {
-      bulk_.finish(band, boundary(), then, state_);  // 4, 5, and 1 of the next step if any
+      bulk_.add_forces_and_half_kick(band, boundary(), then, state_);  // 4, 5; and 1 to go on
     });
     if (then == Then::stop) return;
   }
@@ -133,14 +132,17 @@ Boundary Simulation::boundary() const {
 
 void Simulation::move_interface() {
   ++state_.step;
+  find_normal_forces();                                       // 2
+  move_junctions();                                           // 3
+  law_->friction(state_.u_x.row(0), contact(), tau_.data());  // tau
+  F_T_ = driving_force(parameters_, state_);
+}
+
+void Simulation::move_junctions() {
   watched_ruptures_ = false;
-  find_normal_forces();  // 2
-  const double* u_x = state_.u_x.row(0);
-  const auto changes = law_->update(u_x, state_.v_x.row(0), contact(), time());  // 3
-  law_->friction(u_x, contact(), tau_.data());                                   // 4
+  const auto changes = law_->update(state_.u_x.row(0), state_.v_x.row(0), contact(), time());
   if (changes.broken > 0) run_.last_break = state_.step;
   if (changes.broken + changes.repinned > 0) note_ruptures();
-  F_T_ = driving_force(parameters_, state_);  // 4
 }
 
 void Simulation::find_normal_forces() {

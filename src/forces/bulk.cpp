@@ -86,15 +86,15 @@ Motion Bulk::motion(State& state) const {
           half_kick_, dt_};
 }
 
-void Bulk::kick_drift(int b, State& state) const {
+void Bulk::half_kick_and_drift(int b, State& state) const {
   kernels_.kick_drift(shape_, motion(state), band(b));
 }
 
-void Bulk::prepare(int b, State& state) const {
+void Bulk::keep_neighbouring_rows(int b, State& state) const {
   kernels_.prepare(shape_, springs_, dampers_, motion(state), band(b));
 }
 
-void Bulk::finish(int b, const Boundary& boundary, Then then, State& state) {
+void Bulk::add_forces_and_half_kick(int b, const Boundary& boundary, Then then, State& state) {
   kernels_.finish(shape_, springs_, dampers_, boundary, motion(state), band(b), then,
                   {damping_power_.data(), bottom_velocity_.data()});
 }

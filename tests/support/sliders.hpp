@@ -7,6 +7,7 @@
 #include <string>
 
 #include "rupture/dynamics/equilibrium.hpp"
+#include "rupture/dynamics/plain_step.hpp"
 #include "rupture/dynamics/simulation.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
@@ -93,28 +94,6 @@ inline State lifted(const Parameters& p) {
   State state(p);
   state.u_z.blocks() = 1e-3;
   return state;
-}
-
-/// One step of velocity Verlet in plain terms. `add_forces(state)` is called at the new positions
-/// and adds all forces but those of springs and dampers to state.f_x and f_z.
-template <class AddForces>
-void plain_step(const Parameters& p, double dt, Bulk& bulk, State& s, const AddForces& add_forces) {
-  const double half_kick = dt / (2.0 * block_mass(p));
-  const auto kick = [&] {
-    s.v_x.blocks() += half_kick * s.f_x.blocks();
-    s.v_z.blocks() += half_kick * s.f_z.blocks();
-  };
-  kick();
-  s.u_x.blocks() += dt * s.v_x.blocks();
-  s.u_z.blocks() += dt * s.v_z.blocks();
-  ++s.step;
-  Field damping_x(p.Nx, p.Nz), damping_z(p.Nx, p.Nz);
-  bulk.elastic(s.u_x, s.u_z, s.f_x, s.f_z);
-  bulk.damping(s, damping_x, damping_z);
-  s.f_x.blocks() += damping_x.blocks();
-  s.f_z.blocks() += damping_z.blocks();
-  add_forces(s);
-  kick();
 }
 
 /// Reproducible numbers, uniform in [-size, size].

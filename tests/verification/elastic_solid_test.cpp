@@ -132,7 +132,7 @@ TEST(StaticStretch, SLOW_has_poisson_ratio_one_third_and_youngs_modulus_E) {
   Bulk bulk(p);
   State state(p);
   for (int n = 0; n < 20000; ++n) {
-    testing::plain_step(p, p.dt, bulk, state, [&](State& s) {
+    plain_step(p, p.dt, bulk, state, [&](State& s) {
       s.f_x.blocks().col(0) -= pull / static_cast<double>(p.Nz);
       s.f_x.blocks().col(p.Nx - 1) += pull / static_cast<double>(p.Nz);
       s.f_x.blocks() -= drag * s.v_x.blocks();

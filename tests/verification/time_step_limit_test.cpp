@@ -21,7 +21,7 @@ double growth(const Parameters& p, double dt) {
   noise.fill(state.v_x);
   noise.fill(state.v_z);
   const double before = bulk.kinetic_energy(state.v_x, state.v_z);
-  for (int n = 0; n < 3000; ++n) testing::plain_step(p, dt, bulk, state, [](State&) {});
+  for (int n = 0; n < 3000; ++n) plain_step(p, dt, bulk, state, [](State&) {});
   return bulk.kinetic_energy(state.v_x, state.v_z) / before;
 }
 

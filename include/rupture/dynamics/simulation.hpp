@@ -9,10 +9,10 @@
 //                                that of the support's dashpots, eta_f v_z at the half-kicked v,
 //                                where it is pressed; it never pulls. Friction follows p alone.
 //   5. half kick                 v += (dt/2m) f
-// Afterwards the state is complete at step n+1. take_steps() has the same numbers. Between two
-// steps that follow each other, 5 and the next 1 are done row by row in one sweep (Bulk::finish). f
-// is part of the state because the damping force was taken at the half-kicked velocity, which is
-// not kept.
+// Afterwards the state is complete at step n+1. plain_step.hpp is the same in plain terms, and what
+// each step must equal; take_steps() has the same numbers. Between two steps that follow each other,
+// 5 and the next 1 are done row by row in one sweep. f is part of the state because the damping
+// force was taken at the half-kicked velocity, which is not kept.
 #pragma once
 
 #include <span>
@@ -82,6 +82,7 @@ class Simulation {
   void find_contact();
   void damp_support();
   void move_interface();
+  void move_junctions();
   void note_ruptures();
   Power power(double damping_power, const double* bottom_velocity) const;
   Power initial_power();

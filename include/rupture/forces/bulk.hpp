@@ -25,11 +25,11 @@ class Bulk {
   void damping(const State& state, Field& f_x, Field& f_z);
 
   // The bulk's part in a time step (dynamics/simulation.hpp), for one band each. Every band must
-  // have been prepared before one is finished.
+  // have kept the rows beside it before forces are added to one.
   int bands() const { return static_cast<int>(bands_.size()); }
-  void kick_drift(int band, State& state) const;
-  void prepare(int band, State& state) const;
-  void finish(int band, const Boundary& boundary, Then then, State& state);
+  void half_kick_and_drift(int band, State& state) const;
+  void keep_neighbouring_rows(int band, State& state) const;
+  void add_forces_and_half_kick(int band, const Boundary& boundary, Then then, State& state);
 
   /// Power of the damping forces in the step that was finished last [W].
   double damping_power() const;

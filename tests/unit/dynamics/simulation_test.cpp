@@ -21,34 +21,6 @@ using testing::quick_slider;
 
 constexpr std::int64_t kThroughTheRupture = 2500;  // steps
 
-/// Adds the forces from outside on the slider at the new positions: junctions move on, then p, tau,
-/// F_N and F_T are added.
-void add_boundary_forces(const Parameters& p, InterfaceLaw& law, State& s) {
-  std::vector<double> p_i = normal_forces(p, s), k_ij, w, tau(p_i.size());
-  for (const double normal : p_i) {
-    k_ij.push_back(junction_stiffness(p, std::ssize(k_ij), normal));
-    w.push_back(normal > 0.0 ? normal / static_cast<double>(p.N_s) / k_ij.back() : 0.0);
-  }
-  const ContactView contact = {p_i.data(), k_ij.data(), w.data()};
-  law.update(s.u_x.row(0), s.v_x.row(0), contact, time(p, s));
-  law.friction(s.u_x.row(0), contact, tau.data());
-  const double eta_f = foundation_damping_coefficient(p);
-  const bool ceiling = p.support == Support::ceiling;
-  const auto damped = [&](double force, double inwards) {
-    return force > 0.0 ? std::max(force + eta_f * inwards, 0.0) : 0.0;
-  };
-  for (Eigen::Index i = 0; i < p.Nx; ++i) {
-    const double from_below = p_i[static_cast<std::size_t>(i)];
-    const double from_above = NormalContact(p, i).top_force(s.u_z(i, p.Nz - 1));
-    s.f_x(i, 0) -= tau[static_cast<std::size_t>(i)];
-    s.f_z(i, 0) += ceiling ? from_below : damped(from_below, -s.v_z(i, 0));
-    s.f_z(i, p.Nz - 1) -= ceiling ? damped(from_above, s.v_z(i, p.Nz - 1)) : from_above;
-  }
-  const double x_drive =
-      s.drive.origin_position + p.V * p.dt * static_cast<double>(s.step - s.drive.origin_step);
-  s.f_x(0, driving_row(p)) += p.K * (x_drive - s.u_x(0, driving_row(p)));
-}
-
 class StepUnder : public ::testing::TestWithParam<Law> {};
 
 INSTANTIATE_TEST_SUITE_P(Law, StepUnder, ::testing::ValuesIn(testing::kAllLaws),
@@ -64,8 +36,7 @@ void expect_stated_order(const Parameters& p) {
     State plain = simulation.state();
     Bulk bulk(p);
     const auto law = make_law(p, plain.junctions);
-    testing::plain_step(p, p.dt, bulk, plain,
-                        [&](State& now) { add_boundary_forces(p, *law, now); });
+    plain_step(p, p.dt, bulk, plain, [&](State& now) { add_outer_forces(p, *law, now); });
     simulation.advance();
     const State& s = simulation.state();
     ASSERT_EQ(s.step, plain.step);

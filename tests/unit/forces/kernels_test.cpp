@@ -78,9 +78,9 @@ TEST(RowLengths, leave_the_padding_zero) {
       Bulk bulk(s.p);
       Field f_x(s.p.Nx, s.p.Nz), f_z(f_x);
       for (const Then then : {Then::stop, Then::go_on, Then::stop}) {
-        bulk.kick_drift(0, s.state);
-        bulk.prepare(0, s.state);
-        bulk.finish(0, s.boundary(), then, s.state);
+        bulk.half_kick_and_drift(0, s.state);
+        bulk.keep_neighbouring_rows(0, s.state);
+        bulk.add_forces_and_half_kick(0, s.boundary(), then, s.state);
         for (const Field* field : fields_of(s.state)) expect_zero_padding(*field);
         bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
         expect_zero_padding(f_x);
@@ -116,8 +116,8 @@ TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
       const double expected =
           (d_x.blocks() * v_x.blocks()).sum() + (d_z.blocks() * v_z.blocks()).sum();
 
-      bulk.prepare(0, s.state);
-      bulk.finish(0, s.boundary(), Then::stop, s.state);
+      bulk.keep_neighbouring_rows(0, s.state);
+      bulk.add_forces_and_half_kick(0, s.boundary(), Then::stop, s.state);
       EXPECT_NEAR(bulk.damping_power(), expected, 1e-12 * std::abs(expected));
       for (Eigen::Index i = 0; i < Nx; ++i) {
         EXPECT_EQ(bulk.bottom_velocity()[i], s.state.v_x(i, 0));
@@ -141,13 +141,13 @@ State three_steps(Shaken s, int bands, Then between) {
   const auto each_band = [&](const auto& work) {
     for (int band = bulk.bands() - 1; band >= 0; --band) work(band);
   };
-  each_band([&](int band) { bulk.kick_drift(band, s.state); });
+  each_band([&](int band) { bulk.half_kick_and_drift(band, s.state); });
   for (int n = 0; n < 3; ++n) {
     const Then then = n < 2 ? between : Then::stop;
-    each_band([&](int band) { bulk.prepare(band, s.state); });
-    each_band([&](int band) { bulk.finish(band, s.boundary(), then, s.state); });
+    each_band([&](int band) { bulk.keep_neighbouring_rows(band, s.state); });
+    each_band([&](int band) { bulk.add_forces_and_half_kick(band, s.boundary(), then, s.state); });
     if (n < 2 && then == Then::stop) {
-      each_band([&](int band) { bulk.kick_drift(band, s.state); });
+      each_band([&](int band) { bulk.half_kick_and_drift(band, s.state); });
     }
   }
   return s.state;
@@ -201,11 +201,12 @@ Bits bulk_bits(const Kernels& kernels, const Parameters& p) {
   Field e_x(p.Nx, p.Nz), e_z(e_x), d_x(e_x), d_z(e_x);
   Bulk bulk(p, 1, kernels);
   Bits bits;
-  bulk.kick_drift(0, state);
+  bulk.half_kick_and_drift(0, state);
   for (int n = 0; n < 20; ++n) {
-    bulk.prepare(0, state);
-    bulk.finish(0, shaken.boundary(), n % 2 == 0 ? Then::go_on : Then::stop, state);
-    if (n % 2 == 1) bulk.kick_drift(0, state);
+    bulk.keep_neighbouring_rows(0, state);
+    bulk.add_forces_and_half_kick(0, shaken.boundary(), n % 2 == 0 ? Then::go_on : Then::stop,
+                                  state);
+    if (n % 2 == 1) bulk.half_kick_and_drift(0, state);
     bulk.elastic(state.u_x, state.u_z, e_x, e_z);
     bulk.damping(state, d_x, d_z);
     append(bits, bulk.damping_power());
