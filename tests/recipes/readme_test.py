@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 from report import readme
+from report.model_drawing import DRAWING, drawing
 from claims.claim import Claim, Number, Share
 from claims.judge import table
 from conftest import ROOT, run
@@ -101,6 +102,17 @@ def test_one_of_some_results_or_behind_a_link_does_not(clone):
     (clone / readme.README).symlink_to("mine")
     assert "old\n" in update(clone)
     assert (clone / readme.TABLE).read_text() == VERDICTS
+
+
+def test_the_page_of_the_model_is_current():
+    assert DRAWING.read_text(encoding="utf-8") == drawing()
+    page = (ROOT / "docs/model.md").read_text(encoding="utf-8")
+    rows = [row.split("|")[-2] for row in page.splitlines() if row.startswith("|")]
+    names = {name for row in rows for name in re.findall(r"`([\w/.:]+)`", row)}
+    sources = [*(ROOT / "src").rglob("*.?pp"), *(ROOT / "include").rglob("*.?pp")]
+    text = "".join(f"{path}\n{path.read_text(encoding='utf-8')}" for path in sources)
+    assert len(names) > 20
+    assert {name for name in names if name.split("::")[-1] not in text} == set()
 
 
 def test_no_text_uses_words_that_a_reader_cannot_know():

@@ -163,8 +163,9 @@ def title_of(one, t_zero):
     return title + (f"; event {one.events[0]['number']} begins at {start}" if t_zero else "")
 
 
-def figure_of(shown):
-    single = all(len(one.events) == 1 for one in shown)
+def figure_of(shown, since_event):
+    """`since_event`: whether the time of a picture of one event each begins with that."""
+    single = since_event and all(len(one.events) == 1 for one in shown)
     t_zeros = [one.events[0]["t_start"] if single else 0.0 for one in shown]
     windows = [
         [(t - t_zero) * plotting.MILLISECONDS for t in one.window]
@@ -198,6 +199,7 @@ def figure_of(shown):
     maps[0, 2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
     if len(shown) > 1:
         draw_front_lines(last, shown, t_zeros)
+        last.set_ylabel(maps[0, 0].get_ylabel())
     else:
         draw_speeds(last, shown[0])
         figure.suptitle(title_of(shown[0], t_zeros[0]))
@@ -210,7 +212,7 @@ def run():
     check_output(options.output, options.force, (".png", ".pdf", ".svg"), options.records)
     shown = [shown_of(options, path) for path in options.records]
     refuse_other_lengths(shown)
-    figure = figure_of(shown)
+    figure = figure_of(shown, since_event=len(shown) == 1 or options.event is not None)
     with complete(options.output, options.force) as path:
         plotting.save(figure, path, origin_of("map", [one.record for one in shown]), dpi=200)
     say_written(options.output)
