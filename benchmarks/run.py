@@ -186,7 +186,8 @@ def once_table(rows, isa):
 
 
 def sizes_table(rows, isa, cache):
-    """Of the threads, the ratio of the best times and the median of the paired ratios."""
+    """One row per size: for each number of threads the ratio of the best times and of paired
+    ones."""
     names = [f"{isa}/{size}" for size in sorted(rows.of(isa, "size"))]
     first = next(entry for entry in rows.entries if entry["name"] == names[0])
     threads = sorted(int(key[3:]) for key in first if key.startswith("us_"))[1:]

@@ -100,7 +100,8 @@ def module_at(name, folder):
 
 
 def digest_of_scripts(*paths):
-    """Of scripts and of all modules of ours that they import, directly or not."""
+    """Returns a digest of these scripts and of all our modules that they import, directly or
+    not."""
     waiting, parts = [Path(path) for path in paths], {}
     while waiting:
         path = waiting.pop()
@@ -116,8 +117,9 @@ def digest_of_scripts(*paths):
 
 @cache
 def digest_of_tool(tool):
-    """Of a program by its name, or of a script by its path in the project. A script may run all
-    programs. Those that draw are modules, which the programs of their names start."""
+    """Returns the digest of a program, given by name, or of a script, given by its path in the
+    project. A script may run all programs. Those that draw are modules, which the programs of their
+    names start."""
     folder = Path(os.environ["RUPTURE_BIN"])
     if tool in DRAWING:
         return digest_of_scripts(SHARE / f"python/rupture/tools/{tool}.py")

@@ -136,7 +136,7 @@ def names_in(node):
 
 
 def beginnings(name):
-    """Of a name with dots, the longest first; each with the words that follow it."""
+    """Yields the beginnings of a name with dots, longest first, each with the words after it."""
     words = name.split(".")
     return ((".".join(words[:n]), words[n:]) for n in range(len(words), 0, -1))
 
@@ -242,7 +242,7 @@ def of_known(function, *values):
 
 
 def extreme(which, *values):
-    """Of a list, or of several numbers; null if there are none."""
+    """Returns max or min of a list, or of several numbers; null if there are none."""
     numbers = values[0] if len(values) == 1 else values
     return of_known(lambda *known: which(known), *numbers) if numbers else None
 

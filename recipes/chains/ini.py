@@ -57,7 +57,7 @@ def words_of(line):
 
 
 def suggestion(name, known):
-    """Of a similar name, or one that differs only in capitals."""
+    """Asks whether a known name was meant that is similar, or differs only in capitals."""
     by_lower = {other.lower(): other for other in known}
     near = difflib.get_close_matches(name.lower(), by_lower, n=1)
     return f": did you mean '{by_lower[near[0]]}'?" if near else ""

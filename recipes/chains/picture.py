@@ -202,8 +202,8 @@ def remove(stem):
 
 
 def draw(stem, sweep, columns):
-    """The same in the place of a former picture. The table is there already, so that all that
-    Matplotlib may raise is a reason, too."""
+    """Replaces the former picture, or returns why there is none. The table is there already, so
+    whatever Matplotlib raises is a reason, too."""
     remove(stem)
     try:
         return draw_columns(stem, sweep, columns)

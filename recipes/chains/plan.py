@@ -120,7 +120,7 @@ class Plan:
         return name
 
     def add_points(self, points):
-        """Those of a chain, and those that they come from; many go together in batches."""
+        """Adds the points of a chain and those that they come from; many go together in batches."""
         new = {point.path: point for point in points if point.path not in self.points}
         self.points |= new
         above = [point.of for point in new.values() if point.of]
@@ -195,9 +195,9 @@ class Plan:
 
 
 def write_plan(cores, megabytes, recipes=(), files=(), own=None):
-    """Of these recipes, or of all points of these chains, a user's file in a plan of its own;
-    returns its path. Raises UsageError, with the file and the line, if anything in the files leads
-    nowhere. `own`: the user's sweep if it is checked already."""
+    """Writes the plan of these recipes, or of all points of these chains, and returns its path. A
+    user's file has a plan of its own. Raises UsageError, with the file and the line, if anything in
+    the files leads nowhere. `own`: the user's sweep if it is checked already."""
     from chains.sweeps import OwnSweep  # which imports this module, too
 
     if not own and files and RECIPES not in Path(files[0]).parents:

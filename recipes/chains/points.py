@@ -28,7 +28,8 @@ class Waiting(Exception):
 
 
 def each(function, points):
-    """Of all points, so that all reports for which they wait are asked for at once."""
+    """Calls function(point) for all points, then raises Waiting if one of them waits for a report:
+    so all these reports are asked for at once."""
     found, waiting = [], None
     for point in points:
         try:
@@ -289,7 +290,7 @@ class Point:
 
     @property
     def path(self):
-        """Of its result, a JSON file."""
+        """Where its result is, a JSON file."""
         return STORE / f"{self.id}.json"
 
     def file(self, name):

@@ -126,7 +126,7 @@ def option_of(name, line, programs):
 
 
 def unit_of(name, points):
-    """Of a value that is no option: 1 if all are numbers without a unit."""
+    """Returns the unit of a value that is no option; 1 if all are numbers without a unit."""
     texts = {point.texts(point.look_up).get(name) for point in points} - {None}
     try:
         units = {in_si(text)[1] or "1" for text in texts}
@@ -188,7 +188,7 @@ def unit_of_column(path, commands, programs):
 
 
 def check_names(text, names, commands, programs):
-    """Those in an expression."""
+    """Refuses an expression with a name that is not known or not reported."""
     for dotted in Expression(text, names).names:
         if not (first := first_known(dotted, names)):
             raise UsageError(f"'{text}': there is no '{dotted.partition('.')[0]}'")

@@ -11,7 +11,7 @@ from rupture.errors import Failure
 
 
 def module_at(path):
-    """Those beside it can be imported, too."""
+    """Imports a script, which may import the ones beside it."""
     sys.path.insert(0, str(Path(path).parent))
     return import_module(Path(path).stem)
 

@@ -46,7 +46,7 @@ class Column:
 
     @property
     def has_texts(self):
-        """Of an expression: whether it gave a text, or a truth value."""
+        """Whether an expression gave a text, or a truth value."""
         return self.unit == "1" and any(isinstance(cell, (str, bool)) for cell in self.cells)
 
     @property
@@ -66,7 +66,7 @@ class Column:
 
     @cached_property
     def positions(self):
-        """Of each point along an axis: the numbers, or places of categories."""
+        """Where each point is along an axis: its number, or the place of its category."""
         if self.unit:
             return np.array(self.cells, dtype=float)
         places = {text: place for place, text in enumerate(self.categories)}

@@ -84,7 +84,7 @@ def settled_of(choice):
 
 
 def median(of_runs):
-    """Of the values of all runs."""
+    """The median of the values of all runs, their range, and the interval of the median."""
     values = [value for of in of_runs for value in of]
     least, most = np.percentile(values, RANGE)
     low, high = interval_by_runs(np.median, of_runs)

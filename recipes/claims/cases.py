@@ -117,7 +117,7 @@ def conventions(row, chains):
 
 
 def ways_in(points):
-    """Of the first of them that has not failed."""
+    """The ways to measure that the first point has which did not fail."""
     for point in points:
         if point.status == "done":
             reports = [report for of in point.results for report in of["reports"].values()]

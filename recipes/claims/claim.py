@@ -89,7 +89,7 @@ class Number:
 
     @property
     def ratio(self):
-        """Of our median to the paper's number, or of the shown one."""
+        """Our median, or without one the shown value, over the paper's number."""
         ours = self.shown if self.median is None else self.median
         return ours / self.paper if ours is not None and self.paper is not None else None
 

@@ -9,7 +9,7 @@ RELATIONS = {"at_least": ge, "at_most": le, "above": gt, "below": lt}
 
 
 def as_number(bound):
-    """Of 0.5 or "1/200"."""
+    """Reads a bound that is written as 0.5 or "1/200"."""
     return float(Fraction(str(bound)))
 
 

@@ -66,7 +66,7 @@ def unmet(claim_id, case):
 
 
 def unmet_text(claim_id, case):
-    """The same for readers: slowest is c_s/49.6, not c_s/200 to c_s/50"""
+    """Says which conditions do not hold: slowest is c_s/49.6, not c_s/200 to c_s/50"""
     parts = []
     for name in unmet(claim_id, case):
         condition = row_of(claim_id)["conditions"][name]

@@ -40,7 +40,7 @@ def stretches(pairs):
 
 
 def share(events):
-    """Of those that are fast-slow-fast."""
+    """Fraction of the events that are fast-slow-fast; None without events."""
     return float(np.mean([event["fast_slow_fast"] for event in events])) if events else None
 
 

@@ -90,7 +90,7 @@ def law_of(pulled):
 
 
 def rows(pulled):
-    """Of the block that is shown."""
+    """Yields the rows of the table of the shown block: regular samples, and before each change."""
     changes = np.flatnonzero((pulled.breaks | pulled.repins)[:, SHOWN])
     for n in sorted({*range(0, len(pulled.time), EVERY), *changes, *(changes - 1)}):
         moved = pulled.u[n, SHOWN] - pulled.attachment[SHOWN]

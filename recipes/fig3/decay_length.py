@@ -92,8 +92,9 @@ def profile(block, t_rupture, time, tau):
 
 
 def profiles(front, time, tau):
-    """Of all blocks of the slow stretch; none if the front has no such stretch or does not span.
-    `tau`: the shear force on each block [samples][blocks], tau_0 first."""
+    """The stress ahead of the front for each block of its slow stretch; an empty list if the front
+    has none or does not span. `tau`: the shear force on each block [samples][blocks], tau_0
+    first."""
     if front["type"] != "slow" or front["slow"] is None:
         return []
     found = [profile(block, front["t_rupture"], time, tau) for block in tips(front)]
@@ -101,7 +102,7 @@ def profiles(front, time, tau):
 
 
 def median(numbers):
-    """Of those that could be measured; None if none could."""
+    """The median of the numbers that could be measured; None if none could."""
     measured = [number for number in numbers if number is not None]
     return float(np.median(measured)) if measured else None
 

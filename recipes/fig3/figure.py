@@ -53,7 +53,8 @@ def draw_slip(axes, slips, t_zero):
 
 
 def slips_of(event, report="slip"):
-    """Of a block; `own_slip`: of that 0.06 L before the event's own transition."""
+    """The slip of a block in each run; `own_slip` takes the block 0.06 L before the event's own
+    transition."""
     return {run: event[f"{report}_{name}"] for run, name in RUNS.items()}
 
 

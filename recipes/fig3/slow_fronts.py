@@ -72,5 +72,5 @@ def fit_through_origin(x, y):
 
 
 def measured(fit, *names):
-    """Of a fit; None of each without one."""
+    """{name: value} of the results of a fit; None for each without a fit."""
     return {name: fit and getattr(fit, name) for name in names}

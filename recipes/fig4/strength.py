@@ -107,7 +107,7 @@ def strata_of(points):
 
 
 def map_strata(types):
-    """Of grid points, by tau_bar_0."""
+    """Groups the grid points of a map by tau_bar_0."""
     return strata_of([(*place, kind) for place, kind in sorted(types.items())])
 
 
@@ -123,7 +123,7 @@ def share_by_width(blocks, width=BINS[0]):
 
 
 def over_events(events):
-    """Of the blocks of each event."""
+    """The share of the blocks of each event, its median over events, also with other bins."""
 
     def found(width):
         of_width = [share_by_width(blocks, width) for blocks in events]

@@ -17,8 +17,8 @@ REGION = 0.25  # phi was changed from here on, this block included [L]
 
 
 class Junctions:
-    """Of a checkpoint, and of what `analyze phi --json` says of it: [blocks][junctions]: force [N],
-    slipping; per block: f_thres [N], x / L."""
+    """The junctions of a checkpoint, and what `analyze phi --json` reports. [blocks][junctions]:
+    force [N], slipping; per block: f_thres [N], x / L."""
 
     def __init__(self, checkpoint, phi):
         self.f_thres = np.array(phi["f_thres"])

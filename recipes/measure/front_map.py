@@ -26,8 +26,8 @@ def place_of(row):
 
 
 def front_of(result):
-    """Of a point's result: None where no interface can be prepared. One that was prepared and could
-    not be run is an error, not an impossible place."""
+    """Returns the front of a point's result; None where no interface can be prepared. One that was
+    prepared and could not be run is an error, not an impossible place."""
     if "front" not in result:
         if result.get("checksums"):
             raise ValueError(f"a prepared interface was not run: {result['sentence']}")

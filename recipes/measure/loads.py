@@ -2,7 +2,8 @@
 
 
 def name_of(point):
-    """Of its load: `load-403`, `decaying-01`, or `damping-half-403` of another chain of loads."""
+    """Names the run from which a point comes: `load-403`, `decaying-01`, or `damping-half-403` of
+    another chain of loads."""
     variant = point["variant"]
     try:
         seed = point["numerics.seed"]

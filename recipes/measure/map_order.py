@@ -16,7 +16,7 @@ from measure.tables import rows_of
 
 
 def order_of(types):
-    """Of {name of a map: {place: type}}."""
+    """Returns the order of fronts in maps, {name of a map: {place: type}}."""
     orders = [front_map.order_in_words(of_map) for of_map in types.values()]
     return {
         "slow_range": min(map(front_map.slow_range, types.values())),

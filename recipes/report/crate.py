@@ -61,7 +61,7 @@ def flat(value, graph):
 
 
 def moment(seconds):
-    """Of seconds since 1970, as ISO 8601."""
+    """Writes seconds since 1970 as ISO 8601."""
     return datetime.fromtimestamp(int(seconds), timezone.utc).isoformat()
 
 
@@ -133,7 +133,7 @@ def whole_file(results, path):
 
 
 def points_of(folder):
-    """Of a user's sweep, by its table."""
+    """The results of the points in the table of a user's sweep."""
     table = folder / f"{folder.name}.csv"
     names = read_table(table)["point"] if table.exists() else ()
     return [f"results/data/points/{name}.json" for name in names]

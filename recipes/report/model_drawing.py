@@ -79,10 +79,10 @@ def slider():
 
 def block():
     """With its eight neighbours."""
-    x, y, l = 450, 150, 70
+    x, y, far = 450, 150, 70
     drawn = [text(x, 20, "b  block and its springs")]
     for a, b in [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)]:
-        end = x + a * l, y + b * l
+        end = x + a * far, y + b * far
         drawn += [spring((x, y), end, BLACK if a * b == 0 else GREY, 8), dot(*end)]
     return drawn + [
         dot(x, y, 6),

@@ -72,7 +72,7 @@ def written_by(path):
 
 
 def version_of(build):
-    """Of such a text; None if it is not known."""
+    """The version in a text of written_by(); None if it is not known."""
     found = re.match(r"rupture ([^,]+), ", build)
     return found and found[1]
 

@@ -75,7 +75,7 @@ def table_of(rows):
 
 
 def counts_of(rows):
-    """Of verdicts, and of criteria worded after results."""
+    """Counts verdicts, and criteria worded after results."""
     verdicts = Counter(row["verdict"] for row in rows)
     of_reproduced = [row["fixed"] for row in rows if row["verdict"] == "reproduced"]
     late = sum(bool(AFTER_RESULTS.search(fixed)) for fixed in of_reproduced)

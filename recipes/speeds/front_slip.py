@@ -37,7 +37,7 @@ def pairs_of(points):
 
 
 def exponent(rows, of, over):
-    """Of the power law between two columns."""
+    """The exponent of the power law between two columns."""
     return np.polyfit(np.log(numbers(rows, over)), np.log(numbers(rows, of)), 1)[0]
 
 

@@ -34,7 +34,7 @@ std::size_t count_ahead(const FirstRuptures& t_rupture, const FirstRuptures& tim
   return ahead;
 }
 
-/// Those of the stencils that run forwards.
+/// The speeds of the stencils that run forwards.
 std::vector<double> speeds(const Front& front, std::size_t from, std::size_t to) {
   std::vector<double> values;
   for (std::size_t i = from; i < to; ++i) {
@@ -120,7 +120,7 @@ std::size_t stencils_between(double from, double to, const Front& front) {
   return found;
 }
 
-/// Of a front that spans.
+/// Whether a front that spans is fast, slow, and fast again.
 bool is_fast_slow_fast(const Front& front, double limit) {
   const auto& slow = front.in_words;
   return slow && slow->stencils >= kStencilsInWords && slow->fast_before.value_or(0.0) >= limit &&

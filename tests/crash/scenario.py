@@ -174,7 +174,7 @@ def sums(files):
 
 
 def check_next_run(scenario, files):
-    """The same command succeeds in a folder as it was left, and with --resume."""
+    """Checks that the command succeeds again in a folder as it was left, and with --resume."""
     command = scenario.command.removesuffix(" --resume")
     commands = [command]
     # If the run left no trace, --resume would refuse the record of another.

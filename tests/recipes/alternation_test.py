@@ -59,8 +59,8 @@ class TestAlternation:
 class TestPrecursors:
     @staticmethod
     def events(*places):
-        """Of a load in which each precursor that arrests at x_p is followed by an event that is
-        fast-slow-fast, from x_p - 0.1 L to x_p + 0.05 L, if x_p is below 0.6 L."""
+        """The events of a run in which each precursor that arrests at x_p is followed by an event
+        that is fast-slow-fast, from x_p - 0.1 L to x_p + 0.05 L, if x_p is below 0.6 L."""
         found = []
         for x_p in places:
             found.append({"spanning": False, "x_last": 0.14 * x_p, "L": 0.14})

@@ -33,8 +33,8 @@ DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"-
 
 
 def commands_of(chains, path):
-    """Those of the points, or as they are written if points depend on what others report. `$` is
-    what is known when it runs."""
+    """The commands of the points, or as they are written if points depend on what others report.
+    `$` is what is known when it runs."""
     chain = chains.load(path)
     try:
         lines = {line for point in chains.points(chain) for line in point.commands.values()}

@@ -86,7 +86,8 @@ OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
 
 
 def seeds(held, other):
-    """Of five, so many for which it holds, and so many under the other way to measure."""
+    """Five or more runs: it holds for `held` of them, and for `other` by the other way to
+    measure."""
     return [
         seed(LOW if n < held else HIGH, other=LOW if n < other else HIGH)
         for n in range(max(held, 5))

@@ -100,7 +100,8 @@ class TestSeveralFronts:
 
 
 def front(kind, slowest=300.0, **types):
-    """Of a type, and of others by some ways. The first twelve speeds [m/s] do not count."""
+    """A front of this type, and of `types` by other ways. The first twelve speeds [m/s] do not
+    count."""
     return {
         "x": [n * DX for n in range(14)],
         "v_c": [1.0] * 12 + [slowest, 300.0],

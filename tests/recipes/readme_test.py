@@ -52,7 +52,7 @@ VERDICTS = (
 
 
 def update(root, verdict="reproduced"):
-    """Of one finding, whose criterion was fixed after results."""
+    """Writes the README of one finding, whose criterion was fixed after results."""
     share, words = Share("primary", 19, 20, 0.8, 1.0), ("finding", "later, after results", "paper")
     claim = Claim("2A", *words, "accepted", {}, "holds", [share], verdict, "why")
     number = Number(

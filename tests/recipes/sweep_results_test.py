@@ -178,7 +178,7 @@ DRAWN = [  # values, quantities, status; colours with the least share of pixels 
 
 
 def share(picture, colour):
-    """Of the pixels."""
+    """Fraction of the pixels that have this colour."""
     pixels = matplotlib.image.imread(picture)[:, :, :3]
     return np.mean(np.all(np.abs(pixels - np.array(colour) / 255) < 0.02, axis=2))
 

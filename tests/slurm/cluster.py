@@ -52,7 +52,8 @@ def missing_programs():
 
 
 def processes_with(mark):
-    """Those of this user that were started with this in their environment, but not this one."""
+    """Yields the processes of this user that were started with this in their environment, but not
+    this one."""
     for folder in Path("/proc").glob("[0-9]*"):
         try:
             if mark in (folder / "environ").read_bytes() and int(folder.name) != os.getpid():

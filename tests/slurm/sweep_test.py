@@ -64,7 +64,7 @@ class Sweep(Project):
         return done.stdout
 
     def points(self):
-        """Those that are done or have failed, with the checksums of what they wrote."""
+        """{name: result} of the points that are done or have failed."""
         done = (path.with_suffix(".json") for path in self.stored(".origin"))
         return {path.name: path.read_bytes() for path in done}
 
@@ -123,7 +123,7 @@ class Job:
         return output
 
     def steps(self):
-        """Those of commands; the batch script is a step, too."""
+        """The steps that run commands; the batch script is a step, too."""
         steps = self.cluster.run("squeue", "--noheader", "--steps", "--format=%i").split()
         return [step for step in steps if re.fullmatch(rf"{self.number}\.\d+", step)]
 

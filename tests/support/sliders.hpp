@@ -47,7 +47,7 @@ inline Parameters quick_slider() {
   return p;
 }
 
-/// The same under another interface law; the decaying one with the parameters of Fig. S6.
+/// The quick slider under another interface law; the decaying one with the parameters of Fig. S6.
 inline Parameters quick_slider(Law law) {
   Parameters p = quick_slider();
   p.law = law;
@@ -68,8 +68,8 @@ inline std::string law_name(Law law) {
 
 inline constexpr Law kAllLaws[] = {Law::reference, Law::simplified, Law::decaying, Law::distance};
 
-/// The same under a ceiling and at rest, with a prestress whose trigger region of three blocks lets
-/// the rest rupture within 0.05 ms.
+/// The quick slider under a ceiling and at rest, with a prestress whose trigger region of three
+/// blocks lets the rest rupture within 0.05 ms.
 inline Parameters prepared_slider() {
   Parameters p = quick_slider();
   p.support = Support::ceiling;

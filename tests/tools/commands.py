@@ -46,7 +46,7 @@ def run(command, disk=None, memory=None, nobody=False, stdout=None, env=None):
 
 
 def output_of(command):
-    """Of one that must succeed without complaint."""
+    """What a command prints, which must succeed without complaint."""
     done = run(command)
     assert (done.code, done.err) == (0, ""), command
     return done.out

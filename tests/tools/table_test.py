@@ -46,7 +46,7 @@ CHOICE = re.compile(r"\{([^{}]*\|[^{}]*)\}")
 
 
 def rows():
-    """Of all tables. A line that ends in a backslash goes on in the next."""
+    """Yields the rows of all tables. A line that ends in a backslash goes on in the next."""
     for path in sorted((ROOT / "tests/tools/tables").glob("*.txt")):
 
         def step(line):

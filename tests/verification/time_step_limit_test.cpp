@@ -39,7 +39,7 @@ TEST_P(TimeStepLimit, SLOW_of_a_free_plate_is_sharp) {
 
 INSTANTIATE_TEST_SUITE_P(Damping, TimeStepLimit, ::testing::Values(0.0, 0.1, 1.0));
 
-/// The same factor for a pressed slider without damping, with pinned junctions, at the limit.
+/// That factor for a pressed slider without damping, with pinned junctions, at the limit.
 double growth_at_the_limit(Parameters p) {
   p.damping = 0.0;
   p.mu_s = 100.0;  // nothing breaks

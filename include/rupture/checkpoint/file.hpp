@@ -59,7 +59,8 @@ enum class Opening { here, in_child_first };
 /// Changed or Unreadable where that can be told.
 ContentFile read_file(const std::filesystem::path& path, Opening opening = Opening::here);
 
-/// The same for a file in memory; `name` is what messages call it. Throws Failure, never Changed.
+/// Reads and verifies a file in memory, as read_file(); `name` is what messages call it. Throws
+/// Failure, never Changed.
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name,
                        Opening opening = Opening::here);
 

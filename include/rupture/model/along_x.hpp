@@ -19,7 +19,7 @@ class AlongX {
     if (std::ranges::count(blocks_, first_) == std::ssize(blocks_)) blocks_.clear();
   }
 
-  /// Of the block in column i. There is no conversion to T: who uses it must say where.
+  /// The value of the block in column i. There is no conversion to T: who uses it must say where.
   T operator[](std::int64_t i) const {
     return blocks_.empty() ? first_ : blocks_[static_cast<std::size_t>(i)];
   }

@@ -18,7 +18,7 @@ double mean_normal_force(const Parameters& p);  ///< F_N / Nx, mean p of an inte
 /// Part of F_N on column i, F_N / Nx unless slider.load varies [N].
 double column_load(const Parameters& p, std::int64_t i);
 
-/// Of the foundation's dashpots, eta_f = sqrt(foundation_damping k_f m) [N s/m].
+/// Coefficient of the foundation's dashpots, eta_f = sqrt(foundation_damping k_f m) [N s/m].
 double foundation_damping_coefficient(const Parameters& p);
 
 /// Rest length of the bulk springs along x and z, which their forces are computed with [m].
@@ -64,8 +64,8 @@ double friction_stretch(const Parameters& p, std::int64_t i, double p_i);
 /// the largest column_load().
 double stable_time_step(const Parameters& p);
 
-/// The same where no block bears more than `largest_p` [N]. Every junction counts as stiff as the
-/// stiffest.
+/// The stable time step where no block bears more than `largest_p` [N]. Every junction counts as
+/// stiff as the stiffest.
 double stable_time_step(const Parameters& p, double largest_p);
 
 }  // namespace rupture

@@ -122,7 +122,7 @@ def plural(number, noun):
 
 
 def complain(name, sentence):
-    """Of a long sentence, in which words of users and files are, says the beginning and the end."""
+    """Prints a sentence. The middle of a long one, which may quote whole files, is left out."""
     line = in_one_line(sentence)
     line = line if len(line) <= 1000 else f"{line[:700]}…{line[-300:]}"
     with suppress(OSError):  # nobody can read it

@@ -71,7 +71,7 @@ std::optional<double> average(const Numbers& values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Of the stencils that run forwards.
+/// Speeds of the stencils that run forwards.
 std::optional<double> median_speed(const std::vector<SlowSlip>& slips) {
   std::vector<double> known;
   for (const SlowSlip& slip : slips) {

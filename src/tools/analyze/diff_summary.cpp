@@ -52,7 +52,7 @@ Json ancestor_json(const ContentFile& a, const ContentFile& b) {
   return nullptr;
 }
 
-/// Those that differ where the laws use them.
+/// The parameters that differ and that the laws use.
 Json parameters_json(const ContentFile& a, const ContentFile& b) {
   const Parameters of_a = read_parameters(a.content), of_b = read_parameters(b.content);
   Json list = Json::array();

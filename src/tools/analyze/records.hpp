@@ -47,9 +47,9 @@ ChosenEvent choose_event(const RecordCommand& command);
 /// --slow-below, --skip-below-x, --stencil, --line and --ruptured-below, by which record_of() goes.
 void add_criteria_options(po::options_description& options);
 
-/// Of the options. By default, --skip-below-x is the centre of the first stencil that is free of
-/// the trigger region on an interface that `prepare` made, and kLoadingZone on others. Throws
-/// UsageError for a criterion that this record cannot meet.
+/// The criteria that the options ask for. By default, --skip-below-x is the centre of the first
+/// stencil that is free of the trigger region on an interface that `prepare` made, and kLoadingZone
+/// on others. Throws UsageError for a criterion that this record cannot meet.
 FrontCriteria criteria(const RecordCommand& command);
 Quantity criteria_quantity(const FrontCriteria& criteria);
 

@@ -147,7 +147,7 @@ void refuse_unit(const std::string& word) {
   }
 }
 
-/// Of a long sentence, in which words of users and files are, only the beginning and the end.
+/// The sentence; the middle of a long one, which may quote whole files, is left out.
 int complain(const std::string& name, const std::string& message, ExitCode code) {
   constexpr std::size_t most = 1000, tail = 300;  // bytes
   std::string line = in_one_line(message);

@@ -38,7 +38,7 @@ std::string plain_number(const std::string& word, const std::string& unit) {
   return *number;
 }
 
-/// The same words, or for numbers with a unit their plain numbers.
+/// The words as typed, or for numbers with a unit their plain numbers.
 template <class T>
 std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& kind) {
   for (std::string& word : words) {

@@ -35,7 +35,7 @@ PhiChange change_of(const po::variables_map& values) {
   return change;
 }
 
-/// Of all blocks, before and after.
+/// What is reported of all blocks, before and after.
 struct ChangedPhi {
   std::vector<BlockForces> before = {}, after = {};
   std::vector<ImpossibleBlock> impossible = {};

@@ -219,7 +219,7 @@ double pull(double e) {
   return a.f_x(2, 1);
 }
 
-/// The same in closed form: one spring k along x, one k/2 along the diagonal.
+/// These forces in closed form: one spring k along x, one k/2 along the diagonal.
 double exact_pull(double e) {
   const Parameters p = small_slider(3, 2);
   const double k = bulk_stiffness(p), l = block_spacing(p);

@@ -60,7 +60,7 @@ TEST(DecayingLaw, stays_between_mu_d_and_mu_new_when_t_R_has_changed) {
   }
 }
 
-/// Of two junctions that have broken, the first is pinned again.
+/// Two junctions have broken, and the first of them is pinned again.
 TEST(ChangeOfLaw, lets_slipping_junctions_begin_anew) {
   const Parameters by_time = hand_made(2), by_distance = with_law(Law::distance, 2);
   Interface block(by_time);
