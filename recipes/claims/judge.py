@@ -19,7 +19,7 @@ from reproduce.recipes import paper_of
 from rupture.errors import Failure
 
 RECIPES = Path(__file__).parents[1]
-NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the units, for `reproduced`
+NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the samples, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
 CASES = {True: HOLDS, False: DOES_NOT_HOLD}

@@ -84,7 +84,7 @@ def draw_glance(claims, stem):
         draw_shares(left, claim, heights[claim.id])
         draw_conventions(right, places, claim, heights[claim.id])
         left.axhline(heights[claim.id], color=BLACK, linewidth=0.1, zorder=0)
-    left.set(xlabel="share of the units", xlim=(-0.05, 1.18), ylim=(last + 0.7, -0.7))
+    left.set(xlabel="share of the samples", xlim=(-0.05, 1.18), ylim=(last + 0.7, -0.7))
     names_of = [(label(recipe) or recipe) if new else "" for recipe, new in zip(recipes, first)]
     left.set_yticks([*heights.values()], [f"{f}   {c:5}" for f, c in zip(names_of, heights)])
     left.tick_params(axis="y", length=0)
