@@ -99,15 +99,17 @@ def draw_image(axes, record, values, rows, t_zero, **look):
     return axes.pcolormesh(x, time, values, shading="nearest", rasterized=True, **look)
 
 
-def draw_pinned(axes, record, t_zero, window):
-    """Map of the pinned fraction, with the line along which blocks rupture. `window` is the time
-    shown [ms after t_zero]. Returns the image."""
+def draw_pinned(axes, record, t_zero, window, line=True):
+    """Map of the pinned fraction, with the line along which blocks rupture first. (Where a block
+    is pinned again and ruptures once more, that is no front.) `window` is the time shown [ms after
+    t_zero]. Returns the image."""
     rows = rows_in(record, t_zero, window)
     fraction = record.pinned_fraction[rows]
     image = draw_image(axes, record, fraction, rows, t_zero, cmap=MAP, vmin=0, vmax=1)
     x, time = record.x / record.x[-1], (record.time[rows] - t_zero) * MILLISECONDS
-    if fraction.min() < RUPTURED < fraction.max():
-        axes.contour(x, time, fraction, levels=[RUPTURED], colors="white", linewidths=0.8)
+    lowest = np.minimum.accumulate(fraction)
+    if line and lowest.min() < RUPTURED < lowest.max():
+        axes.contour(x, time, lowest, levels=[RUPTURED], colors="white", linewidths=0.8)
     axes.set(ylim=window)
     return image
 
@@ -128,7 +130,8 @@ def name_line(axes, text, height):
 
 def draw_front_speeds(axes, fronts, looks):
     """Front speed against position. `fronts` holds reports of `analyze front` by name, `looks`
-    label, colour and marker by the same names."""
+    label, colour and marker by the same names. Speeds above c_s are grey: there, blocks that were
+    about to break do so nearly at once."""
     for name, (label, colour, marker) in looks.items():
         front = fronts[name]
         v_c = np.array(front["v_c"], dtype=float)  # None becomes NaN
@@ -136,6 +139,8 @@ def draw_front_speeds(axes, fronts, looks):
         v_c[~(v_c > 0)] = np.nan  # backwards, or unknown: the line breaks
         if np.isfinite(v_c).any():  # not over fewer blocks than a stencil has
             axes.plot(x, v_c, color=colour, marker=marker, label=label)
+            above = v_c > front["c_s"]
+            axes.plot(x[above], v_c[above], marker, color="0.7", zorder=3)
     c_s = front["c_s"]
     axes.axhline(c_s, color=BLACK, linewidth=0.8)
     name_line(axes, "$c_s$", c_s)

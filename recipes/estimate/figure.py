@@ -25,8 +25,22 @@ def numbers_of(reference):
     ]
 
 
-def draw_relaxation(axes, reference, unbreakable):
+def draw_band(axes, relaxations, longest):
+    """Of most blocks, each with its own slipping times."""
+    time = np.linspace(0, longest, 400)
+    slips = []
+    for one in relaxations:
+        course = one["relaxation"]
+        passed = np.searchsorted(course["time_over_t_R"], time, side="right")
+        slips.append(np.array([0.0, *course["slip_over_f_slip_per_k_ij"]])[passed])
+    low, high = np.quantile(slips, (0.05, 0.95), axis=0)
+    label = f"5 to 95 % of {len(slips)} blocks"
+    axes.fill_between(time, low, high, color="0.85", linewidth=0, label=label)
+
+
+def draw_relaxation(axes, reference, unbreakable, relaxations):
     longest = reference["relaxation"]["time_over_t_R"][-1]
+    draw_band(axes, relaxations, longest)
     for estimate, colour, line, label in (
         (reference, AS_IT_IS, "-", "as in the model"),
         (unbreakable, CHANGED, "--", "without re-breaking"),
@@ -39,7 +53,7 @@ def draw_relaxation(axes, reference, unbreakable):
     text = f"paper: net slip {paper.NET_SLIP}"
     axes.annotate(text, (0, paper.NET_SLIP), xytext=(3, 2), textcoords="offset points")
     axes.set(xlabel=r"time $[\langle t_R\rangle]$", ylabel=r"slip $[f_\mathrm{slip}/k_{ij}]$")
-    axes.set(xlim=(0, longest), ylim=(0, 9.5))
+    axes.set(xlim=(0, longest), ylim=(0, 12))
     axes.legend(loc="lower right")
 
 
@@ -53,9 +67,9 @@ def draw_blocks(axes, reference):
     axes.legend(loc="upper center")
 
 
-def draw(reference, unbreakable, stem):
+def draw(reference, unbreakable, relaxations, stem):
     fig, panels = lettered("AB", DOUBLE, 0.38 * DOUBLE)
-    draw_relaxation(panels["A"], reference, unbreakable)
+    draw_relaxation(panels["A"], reference, unbreakable, relaxations)
     draw_blocks(panels["B"], reference)
     save(fig, stem)
 
@@ -70,7 +84,8 @@ def course_rows(**estimates):
 def make(chains, results):
     (point,) = chains["estimate"]
     reference, unbreakable = point["reference"], point["unbreakable"]
-    draw(reference, unbreakable, results / "estimate")
+    relaxations = [one["relaxation"] for one in chains["relaxations"]]
+    draw(reference, unbreakable, relaxations, results / "estimate")
     names = ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"]
     rows = course_rows(reference=reference, unbreakable=unbreakable)
     write_table(results / "relaxation.csv", names, rows)

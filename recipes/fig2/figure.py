@@ -40,6 +40,7 @@ def draw_slow_of_paper(axes, front):
 def draw_map(axes, front, pinned):
     t_zero, window = window_of(front)
     image = draw_pinned(axes, pinned, t_zero, window)
+    axes.set(ylabel="time since it began [ms]")
     draw_ahead(axes, front, t_zero, color="white")
     if front["slow"]:
         draw_slow_of_paper(axes, front)
@@ -51,10 +52,10 @@ def draw_speeds(axes, fronts):
     c_s = fronts["fast-slow-fast"]["c_s"]
     for part, text in PAPER_SPEEDS.items():
         axes.axhline(part * c_s, zorder=1, **OF_PAPER)
-        name_line(axes, text, part * c_s)
+        name_line(axes, f"{text}\npaper", part * c_s)
     above = {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points", "ha": "center"}
     for x in paper.TRANSITIONS:
-        axes.axvline(x, zorder=1, **OF_PAPER)
+        axes.axvline(x, ymin=0.25, zorder=1, **OF_PAPER)  # above the legend
         axes.annotate(f"${x}\\,L$", (x, 1), xytext=(0, 2), **above)
     axes.plot([], [], label="paper", **OF_PAPER)
     axes.set(ylim=(1, None))

@@ -16,6 +16,7 @@ from report.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figu
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."
+SINCE = "time since the change [ms]"
 RUNS = {"t_R-half": "half", "stopped": "stopped", "t_R-double": "double"}  # of a point
 SLIPS = {  # run: label, colour, line style
     "t_R-half": (r"$\langle t_R\rangle/2$", CHANGED, "--"),
@@ -28,7 +29,7 @@ def draw_maps(fig, axes, event, t_zero, window):
     for axis, run, title in zip(axes, ("stopped", "no-slow-slip"), ("$V = 0$", "no slow slip")):
         record = rupture.open(event.file(f"{run}-record.h5"))
         image = draw_pinned(axis, record, t_zero, window)
-        axis.set_title(title)
+        axis.set(title=title, ylabel=SINCE)
     draw_pinned_scale(fig, image, axes)
 
 
@@ -43,13 +44,13 @@ def draw_slip(axes, slips, t_zero):
         fitted = np.array([slip["slow_from"], slip["slow_to"]])
         start = np.interp(slip["slow_from"], slip["time"], slip["slip"])
         line = start + slip["slow_speed"] * (fitted - fitted[0])
-        axes.plot((fitted - t_zero) * 1e3, line * 1e6 + 0.15, color=BLUE, linewidth=0.7)
-    axes.plot([], [], color=BLUE, linewidth=0.7, label="slow slip, fitted")
+        axes.plot((fitted - t_zero) * 1e3, line * 1e6, color=BLUE, linewidth=0.8, zorder=3)
+    axes.plot([], [], color=BLUE, linewidth=0.8, label="slow slip, fitted")
     highest = max(slip["fast_slip"] + slip["slow_slip"] for slip in slips.values())
     fastest = [0, highest / paper.FAST_SLIP_SPEED * 1e3]
     label = f"{paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s: experiment\n(paper's ref. 20)"
     axes.plot(fastest, [0, highest * 1e6], label=label, **OF_PAPER)
-    axes.set(xlabel="time [ms]", ylabel=r"slip at $x = 0.34\,L$ [µm]")
+    axes.set(xlabel=SINCE, ylabel=r"slip at $x = 0.34\,L$ [µm]")
 
 
 def slips_of(event, report="slip"):
@@ -76,8 +77,9 @@ def draw(events, stem):
         for axis in row:
             axis.set_title(", ".join(filter(None, (name, axis.get_title()))))
     axes[0, 2].legend(loc="lower right", handlelength=1.5)
-    for axis, text in zip(axes[0], "ABC"):
-        letter(axis, text)
+    for row, number in zip(axes, ("", "2")):
+        for axis, text in zip(row, "ABC"):
+            letter(axis, text + number)
     save(fig, stem)
 
 

@@ -30,7 +30,7 @@ def draw_distributions(axes):
             f = MU_D + (MU_S - MU_D) * (MEAN + xi)
             axes.plot(f, SHAPES[shape](xi, a) / (MU_S - MU_D), line, color=colour)
         axes.plot([], [], color=colour, label=rf"$\bar\sigma = {sigma_bar:g}$")
-    axes.set(xlabel="$f_T/f_N$", ylabel=r"$\phi$", ylim=(0, None))
+    axes.set(xlabel="$f_T/f_N$", ylabel=r"$\varphi$", ylim=(0, None))
     axes.legend(loc="upper right", handlelength=1)
 
 

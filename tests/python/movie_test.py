@@ -12,7 +12,7 @@ from PIL import Image
 import rupture
 from commands import refuses
 from conftest import BIN, SMALL, draws, run, started
-from rupture.tools.movie import SLOWEST, chosen_samples, values_of
+from rupture.tools.movie import SLOWEST, chosen_samples, front_at, values_of
 
 
 def test_writes_as_many_frames_as_asked_for(small):
@@ -54,6 +54,13 @@ def test_fields_colour_the_slider_but_for_times_without_any(folder):
     film = "movie f-record.h5 -o y.gif --from 0.25ms --to 0.35ms"
     sentence = "the record has no fields between 0.00025 s and 0.00035 s; choose a longer time"
     refuses(film, 1, sentence)
+
+
+def test_the_front_is_that_of_the_event_that_began_last():
+    first = {"t_front": [1.0, 2.0, None], "x": [0.0, 0.5, 1.0], "L": 1.0}
+    second = {"t_front": [4.0, None, None], "x": [0.0, 0.5, 1.0], "L": 1.0}
+    places = [front_at(time, [first, second]) for time in (0.5, 1.5, 3.0, 4.5)]
+    np.testing.assert_equal(places, [np.nan, 0.0, 0.5, 0.0])
 
 
 def start(name, until):

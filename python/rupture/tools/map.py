@@ -17,7 +17,10 @@ SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
 LINE = 0.026  # height of an event's number, of that of the panel
 Shown = namedtuple("Shown", "path record events window")  # a record, and what is drawn of it
-LEGEND = "White line: 30 % of the junctions are pinned. Marks at the right: an event begins."
+LEGEND = (
+    "White line: where blocks rupture (only of one event). Marks at the right: an event begins."
+    " Grey speeds exceed $c_s$."
+)
 
 
 def parse_options():
@@ -184,7 +187,7 @@ def figure_of(shown, since_event):
     )
     last = figure.add_subplot(grid[:, 3])
     for axes, (record, _, t_zero), window in zip(maps[:, 0], images, windows):
-        image = plotting.draw_pinned(axes, record, t_zero, window)
+        image = plotting.draw_pinned(axes, record, t_zero, window, line=single)
     plotting.draw_pinned_scale(figure, image, maps[:, 0], location="top")
     draw_slip_speeds(figure, maps[:, 1], images)
     draw_tau_over_p(figure, maps[:, 2], images)

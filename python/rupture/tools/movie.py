@@ -96,8 +96,11 @@ class Interface:
         (self.line,) = right.plot(x, self.speed[0], color=plotting.VERMILION)
         right.set(yscale="log", ylim=(SLOWEST, max(1, 1.5 * self.speed.max())))
         right.set_ylabel("slip speed [mm/s]", color=plotting.VERMILION)
+        (self.front,) = axes.plot([], [], "v", color=plotting.BLACK, markersize=6)
+        axes.set_title("triangle: the front", loc="right", fontsize=7)
 
-    def draw(self, frame):
+    def draw(self, frame, front):
+        self.front.set_data([front], [0.98])
         for bar, height in zip(self.bars, self.pinned[frame]):
             bar.set_height(height)
         self.line.set_ydata(self.speed[frame])
@@ -118,6 +121,29 @@ class Slider:
 
     def draw(self, frame):
         self.image.set_data(self.values[frame])
+
+
+class Loading:
+    """The driving force against time, with a line at the time of the frame."""
+
+    def __init__(self, axes, record, window):
+        shown = (record.time >= window[0]) & (record.time <= window[1])
+        axes.plot(record.time[shown] * 1e3, record["F_T"][shown], color=plotting.BLUE)
+        self.line = axes.axvline(window[0] * 1e3, color=plotting.BLACK, linewidth=0.8)
+        axes.set(xlabel="time [ms]", ylabel="$F_T$ [N]")
+
+    def draw(self, time):
+        self.line.set_xdata([time * 1e3] * 2)
+
+
+def front_at(time, fronts):
+    """Where the front is that began last, [x/L]; NaN before the first. `fronts` are reports of
+    `analyze front` in the order of time."""
+    place = np.nan
+    for front in fronts:
+        passed = np.array(front["t_front"], dtype=float) <= time
+        place = np.array(front["x"])[passed].max() / front["L"] if passed.any() else place
+    return place
 
 
 COLOURS = {"speed": "magma", "stress": "RdBu_r", "displacement": plotting.MAP}
@@ -147,16 +173,16 @@ def norm_of(values, colour):
     return colors.Normalize(values.min() if colour == "displacement" else -limit, limit)
 
 
-def draw_frames(pyplot, record, window, options, path):
+def draw_frames(pyplot, record, window, fronts, options, path):
     with_bulk = "fields/u_x" in record
     times = record["fields/time"] if with_bulk else record.time
     rows = chosen_samples(times, window, options.frames)
-    figure, axes = pyplot.subplots(
-        1 + with_bulk, 1, figsize=(6, 5 if with_bulk else 3), squeeze=False
-    )
+    heights = [2] * with_bulk + [2.5, 1]
+    size = (6, sum(heights) + 0.5)
+    figure, axes = pyplot.subplots(len(heights), 1, figsize=size, height_ratios=heights)
     near = np.clip(np.searchsorted(record.time, times[rows] - 1e-12), 0, len(record.time) - 1)
-    interface = Interface(axes[-1, 0], record, near)
-    slider = Slider(figure, axes[0, 0], record, rows, options.colour) if with_bulk else None
+    interface, loading = Interface(axes[-2], record, near), Loading(axes[-1], record, window)
+    slider = Slider(figure, axes[0], record, rows, options.colour) if with_bulk else None
     figure.suptitle(" ")
     figure.canvas.draw()
     figure.set_layout_engine("none")  # the place of everything stays as it is: half the time
@@ -164,7 +190,8 @@ def draw_frames(pyplot, record, window, options, path):
         each.set_title("", y=1)  # with y, no place is searched for one: a fifth of the time
     with (writer := writer_of(path)).saving(figure, str(path), DPI):
         for frame, time in enumerate(progress(times[rows], len(rows), "frame")):
-            said = interface.draw(frame)
+            said = interface.draw(frame, front_at(time, fronts))
+            loading.draw(time)
             if slider:
                 slider.draw(frame)
             figure.suptitle(f"t = {time * 1e3:.3f} ms, {said}")
@@ -179,8 +206,10 @@ def run():
     record = open_record(options.record)
     if options.colour != "speed" and "fields/u_x" not in record:
         raise Failure("--colour needs a record with displacement fields (run with --fields T)")
-    events = analyze("events", options.record)["events"] if options.event is not None else []
+    events = analyze("events", options.record)["events"]
     window = window_of(options, record, events)
+    shown = [n for n, one in enumerate(events) if window[0] <= one["t_start"] <= window[1]]
+    fronts = [analyze("front", options.record, event=number) for number in shown]
     with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output, path):
-        draw_frames(pyplot, record, window, options, path)
+        draw_frames(pyplot, record, window, fronts, options, path)
     say_written(options.output)
