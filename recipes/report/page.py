@@ -5,6 +5,7 @@ import os
 import struct
 import sys
 import time
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -111,6 +112,16 @@ def glance_picture(results, claims):
     return picture(results / "claims.png", SEEN)
 
 
+def in_words(claims):
+    """What came out, in two sentences; nothing without verdicts."""
+    findings = [claim for claim in claims if claim.kind == "finding" and claim.verdict]
+    count = Counter(claim.verdict for claim in findings)
+    missed = [f"{one.id} ({one.paper})" for one in findings if one.verdict == "differs"]
+    said = f"Of {len(findings)} findings of the paper, {count['reproduced']} are reproduced, and"
+    said += f" {count['depends']} depend on the event or on how it is measured."
+    return (said + (f" Not met: {'; '.join(missed)}." if missed else "")) * bool(findings)
+
+
 def contents(root, paper):
     accounts, results = origin.Accounts(root), root / "results" / paper
     names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
@@ -129,6 +140,7 @@ def contents(root, paper):
         "recipes": recipes,
         "rows": rows,
         "listed": len(table(paper)),
+        "in_words": in_words(claims),
         "counts": [
             (kind, [(sum((c.kind, c.standing) == (kind, s) for c in claims), s) for s in STANDINGS])
             for kind in ("finding", "check")
