@@ -22,7 +22,7 @@ CPPCHECK = (
     " --inline-suppr --suppressions-list=.cppcheck --library=googletest --error-exitcode=1"
     " -I include -I src -I src/tools -I tests include src tests benchmarks -j $0"
 )
-SPELLING = "-q 3 -S '*.h5,*.png,*/corpus/*' -L coul,crate,kinf,libary,lod,nd,statics,untill"
+SPELLING = "-q 3 -S '*.h5,*.png,*.ipynb,*/corpus/*' -L coul,crate,kinf,libary,lod,nd,statics,untill"
 LAYOUT = {"clang-format": "14", "black": "23"}  # Debian 12's versions: others differ
 # In bash; $0 is the number of cores. By Debian's programs: others may demand another layout.
 CHECKS = {

@@ -10,9 +10,9 @@
 //                                where it is pressed; it never pulls. Friction follows p alone.
 //   5. half kick                 v += (dt/2m) f
 // Afterwards the state is complete at step n+1. plain_step.hpp is the same in plain terms, and what
-// each step must equal; take_steps() has the same numbers. Between two steps that follow each other,
-// 5 and the next 1 are done row by row in one sweep. f is part of the state because the damping
-// force was taken at the half-kicked velocity, which is not kept.
+// each step must equal; take_steps() has the same numbers. Between two steps that follow each
+// other, 5 and the next 1 are done row by row in one sweep. f is part of the state because the
+// damping force was taken at the half-kicked velocity, which is not kept.
 #pragma once
 
 #include <span>
