@@ -53,7 +53,7 @@ def draw_relaxation(axes, reference, unbreakable, relaxations):
     text = f"paper: net slip {paper.NET_SLIP}"
     axes.annotate(text, (0, paper.NET_SLIP), xytext=(3, 2), textcoords="offset points")
     axes.set(xlabel=r"time $[\langle t_R\rangle]$", ylabel=r"slip $[f_\mathrm{slip}/k_{ij}]$")
-    axes.set(xlim=(0, longest), ylim=(0, 12))
+    axes.set(xlim=(0, longest), ylim=(0, 10))
     axes.legend(loc="lower right")
 
 

@@ -42,12 +42,16 @@ def test_lines_of_fronts_are_those_of_the_reports(small):
     event = rupture.analyze("events", "small-record.h5")["events"][0]
     shown = 2 * [Shown("small-record.h5", small.record, [event], (0.0, 1e-3))]
     axes = plotting.pyplot_without_window().subplots()[1]
-    draw_front_lines(axes, shown, (0.0, 1e-4))
     front = rupture.analyze("front", "small-record.h5", event=0)
     expected = np.array(front["t_front"], dtype=float)
+    last = (np.nanmax(expected) - 5e-5) * 1e3  # [ms], of the first record
+    draw_front_lines(axes, shown, (0.0, 1e-4), (-1.0, last))
     for line, t_zero in zip(axes.lines, (0.0, 1e-4)):
         assert np.allclose(line.get_xdata(), np.array(front["x"]) / 0.14)
-        assert np.allclose(line.get_ydata(), (expected - t_zero) * 1e3, equal_nan=True)
+        times = (expected - t_zero) * 1e3
+        times[times > last] = np.nan
+        assert np.allclose(line.get_ydata(), times, equal_nan=True)
+    assert np.isnan(axes.lines[0].get_ydata()).sum() > np.isnan(times).sum()
     assert [text.get_text() for text in axes.get_legend().get_texts()] == 2 * ["small-record.h5"]
 
 

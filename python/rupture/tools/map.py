@@ -17,10 +17,8 @@ SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
 LINE = 0.026  # height of an event's number, of that of the panel
 Shown = namedtuple("Shown", "path record events window")  # a record, and what is drawn of it
-LEGEND = (
-    "White line: where blocks rupture (only of one event). Marks at the right: an event begins."
-    " Grey speeds exceed $c_s$."
-)
+LEGEND = "Marks at the right: an event begins."
+LINE_LEGEND, SPEEDS_LEGEND = "White line: blocks rupture.", "Grey speeds exceed $c_s$."
 
 
 def parse_options():
@@ -103,9 +101,11 @@ def spread(places, low, high):
 
 
 def mark_events(axes, events, t_zero, numbered):
-    """Marks at the right where each event begins, and writes its number."""
+    """Marks at the right where each event begins that does so in view, and writes its number."""
     low, high = axes.get_ylim()
     starts = [(event["t_start"] - t_zero) * plotting.MILLISECONDS for event in events]
+    events = [event for event, start in zip(events, starts) if low <= start <= high]
+    starts = [start for start in starts if low <= start <= high]
     size = min(6.5, 6.5 / LINE / max(1, len(events)))
     for event, start, height in zip(events, starts, spread(starts, low, high)):
         axes.plot([1, 1.03], [start, start], color=plotting.BLACK, lw=0.8, clip_on=False)
@@ -124,13 +124,14 @@ def fronts_of(shown):
     return chosen, dict(zip(numbers, progress(fronts, len(numbers), "front")))
 
 
-def draw_front_lines(axes, shown, t_zeros):
-    """Where the fronts of several records are at which time."""
+def draw_front_lines(axes, shown, t_zeros, limits):
+    """Where the fronts of several records are at which time within these limits [ms]."""
     for one, t_zero, colour in zip(shown, t_zeros, itertools.cycle(plotting.LINES)):
         label = plotting.plain_text(one.record.path.name)
         for front in fronts_of(one)[1].values():
             x, time = np.array(front["x"]), np.array(front["t_front"], dtype=float)
             shift = (time - t_zero) * plotting.MILLISECONDS
+            shift[(shift < limits[0]) | (shift > limits[1])] = np.nan
             axes.plot(x / front["L"], shift, ".-", color=colour, lw=1, label=label)
             label = None
     plotting.along_interface(axes)
@@ -201,12 +202,13 @@ def figure_of(shown, since_event):
             row[0].set_title(title_of(one, t_zero), loc="left")
     maps[0, 2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
     if len(shown) > 1:
-        draw_front_lines(last, shown, t_zeros)
+        draw_front_lines(last, shown, t_zeros, limits)
         last.set_ylabel(maps[0, 0].get_ylabel())
     else:
         draw_speeds(last, shown[0])
         figure.suptitle(title_of(shown[0], t_zeros[0]))
-    figure.supxlabel(LEGEND, fontsize=7)
+    legends = [LINE_LEGEND] * single + [LEGEND] + [SPEEDS_LEGEND] * (len(shown) == 1)
+    figure.supxlabel(" ".join(legends), fontsize=7)
     return figure
 
 
