@@ -55,10 +55,10 @@ def draw_speeds(axes, fronts):
         name_line(axes, f"{text}\npaper", part * c_s)
     above = {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points", "ha": "center"}
     for x in paper.TRANSITIONS:
-        axes.axvline(x, ymin=0.25, zorder=1, **OF_PAPER)  # above the legend
+        axes.axvline(x, ymin=0.28, zorder=1, **OF_PAPER)  # above the legend
         axes.annotate(f"${x}\\,L$", (x, 1), xytext=(0, 2), **above)
     axes.plot([], [], label="paper", **OF_PAPER)
-    axes.set(ylim=(1, None))
+    axes.set(ylim=(0.3, None))
     look = {"frameon": True, "framealpha": 1, "edgecolor": "none", "borderpad": 0.2}
     axes.legend(loc="lower right", ncols=3, handlelength=1.5, columnspacing=1, **look)
 
