@@ -1,5 +1,5 @@
 """The default picture of a user's sweep: every measured quantity against the one or two values that
-vary, each a Column (report.py). Seeds are repetitions: single ones and their median are shown."""
+vary, each a Column (table.py). Seeds are repetitions: single ones and their median are shown."""
 
 import re
 from dataclasses import replace
@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.colors import ListedColormap
+from matplotlib.ticker import NullLocator
 
 from measure.map_panels import COLOURS
 from report.symbols import GREEK
@@ -17,6 +18,7 @@ SEEDS = ("seed", "numerics.seed")
 PANEL = 62 * MM  # height [inch]
 OPTIONS = {"tau-bar": "tau_bar_0", "sigma-bar": "sigma_bar"}  # symbols of options
 SYMBOL = re.compile(rf"(delta )?({'|'.join(GREEK)}|[A-Za-z])(_bar)?(?:_(\w+))?")
+DELTA = r"\delta "
 FEW = 8  # places of a logarithmic axis that have their numbers
 QUARTILES = (0.25, 0.5, 0.75)
 HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
@@ -36,12 +38,12 @@ def symbol_of(name, sweep):
     letter = rf"\{letter}" if letter in GREEK else letter
     letter = rf"\bar{{{letter}}}" if bar else letter
     index = f"{{{index}}}" if len(index) < 3 else rf"\mathrm{{{index}}}"
-    return rf"${'Δ' if change else ''}{letter}{'_' + index if found[4] else ''}$"
+    return f"${DELTA * bool(change)}{letter}{'_' + index if found[4] else ''}$"
 
 
 def as_typed(column, sweep):
     """With its symbol, and numbers in the unit in which all of them were typed."""
-    column = replace(column, symbol=symbol_of(column.name, sweep), axis=sweep.axis)
+    column = replace(column, symbol=symbol_of(column.name, sweep), axis=sweep.axis or column.scale)
     if not (unit := sweep.typed.get(column.name)) or not column.unit:
         return column
     factor = in_si(f"1{unit}")[0]
@@ -60,8 +62,8 @@ def set_axis(axes, which, axis):
         axes.set(**{f"{which}ticks": range(len(axis.categories))})
         axes.set(**{f"{which}ticklabels": axis.categories})
         axes.set(**{f"{which}lim": (-0.5, len(axis.categories) - 0.5)})
-    elif axis.scale == "log" and len(places := np.unique(axis.positions)) <= FEW:
-        axes.minorticks_off()
+    elif axis.axis == "log" and len(places := np.unique(axis.positions)) <= FEW:  # it varies
+        getattr(axes, f"{which}axis").set_minor_locator(NullLocator())
         axes.set(**{f"{which}ticks": places, f"{which}ticklabels": [f"{p:g}" for p in places]})
     elif axis.scale == "linear":
         axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)

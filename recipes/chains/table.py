@@ -107,12 +107,16 @@ def find(tree, path):
 
 def measured(point, found, text):
     """What a point has of a quantity; nothing where an expression cannot be worked out."""
-    if PATH.fullmatch(text):
-        return find(found["reports"], text)
+    value = find(found["reports"], text) if PATH.fullmatch(text) else None
     with suppress(ValueError):
-        if found["status"] == "done":
-            return Expression(text, point.names).value(point.known)
-    return None
+        if not PATH.fullmatch(text) and found["status"] == "done":
+            value = Expression(text, point.names).value(point.known)
+    return [*map(in_cell, value)] if isinstance(value, list) else in_cell(value)
+
+
+def in_cell(value):
+    """A number, a text or a truth value; None for parts of reports and lists in lists."""
+    return value if isinstance(value, (int, float, str)) else None
 
 
 def is_geometric(places):
@@ -139,7 +143,8 @@ def columns_of(sweep, table):
     for row in table:
         row |= {n: without_unit(row[n]) for n in values if row.get(n) and sweep.units.get(n)}
     columns = [Column(n, sweep.units.get(n, ""), [row.get(n) for row in table]) for n in names]
-    return [replace(one, unit="") if one.has_texts else one for one in columns]
+    texts = [one.name for one in columns if one.name in sweep.columns and one.has_texts]
+    return [replace(one, unit="") if one.name in texts else one for one in columns]
 
 
 def elements_of(columns):
@@ -148,12 +153,16 @@ def elements_of(columns):
     lists = [column for column in columns if column.has_lists]
     state = columns.index(next(column for column in columns if column.name == "status"))
     heads = [*columns[:state], columns[-1]]
-    longest = [max(len(cell or ()) for cell in cells) for cells in zip(*(c.cells for c in lists))]
+    lists = [
+        replace(one, cells=[cell if isinstance(cell, list) else [] for cell in one.cells])
+        for one in lists
+    ]
+    longest = [max(map(len, cells)) for cells in zip(*(one.cells for one in lists))]
     rows = [(row, n) for row, length in enumerate(longest) for n in range(length)]
     own = [replace(head, cells=[head.cells[row] for row, _ in rows]) for head in heads]
     own.append(Column(ELEMENT, "1", [n for _, n in rows]))
     for one in lists:
-        cells = [(one.cells[row] or [])[n : n + 1] for row, n in rows]
+        cells = [one.cells[row][n : n + 1] for row, n in rows]
         own.append(replace(one, cells=[cell[0] if cell else None for cell in cells]))
     return own if lists else []
 

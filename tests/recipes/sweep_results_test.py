@@ -64,11 +64,13 @@ def test_texts_are_no_formulas_and_stay_in_one_line():
 
 
 def test_numbers_are_in_the_unit_of_their_column():
-    values = [{"V": text, "law": "1mm"} for text in ("1mm/s", "2e-3")]
+    values = [{"V": text, "law": "1mm", "tau": "0.1"} for text in ("1mm/s", "2e-3")]
     points = [Point(None, each) for each in values]
-    sweep = Sweep("A", points, {}, [], {"V": "m/s", "law": ""}, "a.ini")
-    V, law, *_ = columns_of(sweep, [dict(each) for each in values])
+    units = {"V": "m/s", "law": "", "tau": "1", "is": "1"}
+    sweep = Sweep("A", points, {"is": "tau > 0"}, [], units, "a.ini")
+    V, law, tau, *_, is_so, _ = columns_of(sweep, [each | {"is": True} for each in values])
     assert (V.texts, V.heading, law.texts) == (["0.001", "2e-3"], "V [m/s]", ["1mm", "1mm"])
+    assert (tau.unit, is_so.unit, is_so.texts) == ("1", "", ["true", "true"])
 
 
 REPORTS = {"front": {"v_c": [1.0, None, 3.0], "events": [{"t": 1}, {"t": 2}], "F_T": 960.0}}
@@ -77,6 +79,8 @@ QUANTITIES = [  # text, value
     ("front.v_c.9", None),
     ("front.v_c", [1.0, None, 3.0]),
     ("front.events.*.t", [1, 2]),
+    ("front.events", [None, None]),
+    ("[[1] for e in front.events]", [None, None]),
     ("front.F_T / 1920", 0.5),
     ("front.F_T / 1920 > V", False),
     ("[2 * v for v in known(front.v_c)]", [2.0, 6.0]),
@@ -98,6 +102,7 @@ def test_lists_have_a_table_of_their_own_with_a_row_for_each_element():
         Column("status", "", ["done", "done"]),
         Column("a", "s", [[1, None], None]),
         Column("b", "1", [[3, 4, 5], [6]]),
+        Column("d", "1", [[9], 8]),
         Column("c", "1", [7, 8]),
         Column("point", "", ["p", "q"]),
     ]
@@ -107,6 +112,7 @@ def test_lists_have_a_table_of_their_own_with_a_row_for_each_element():
         "element": [0, 1, 2, 0],
         "a": [1, None, None, None],
         "b": [3, 4, 5, 6],
+        "d": [9, None, None, None],
     }
     assert {column.name: column.cells for column in elements_of(columns)} == expected
     assert elements_of([column for column in columns if not column.has_lists]) == []
@@ -248,7 +254,7 @@ def test_medians_and_most_frequent_texts_in_the_order_of_fronts():
     [
         ("t_R", "t_R", "$t_{R}$ [ms]"),
         ("mu_new", "mu_new", r"$\mu_\mathrm{new}$ [ms]"),
-        ("d", "delta t_R", "$Δt_{R}$ [ms]"),
+        ("d", "delta t_R", r"$\delta t_{R}$ [ms]"),
         ("tau-bar", "", r"$\bar{\tau}_{0}$ [ms]"),
         ("a$", "k_f/k", r"a\$ [ms]"),
     ],
