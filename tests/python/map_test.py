@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -36,6 +37,19 @@ def test_draws_several_in_rows_and_says_where_they_come_from(small):
     )
     assert files == 2 * [f"small-record.h5: content-sha256 {checksum}"]
     assert b"/Subject (rupture map small-record.h5 small" in Path("two.pdf").read_bytes()
+
+
+def test_the_white_line_is_where_blocks_rupture_first():
+    fraction = np.array([[1, 1, 1], [0, 1, 1], [0, 0, 1], [1, 0, 1], [0, 0, 1]], dtype=float)
+    times, x = np.arange(5) * 1e-3, np.array([0, 0.5, 1])
+    record = SimpleNamespace(time=times, x=x, pinned_fraction=fraction)
+    for line, found in ((True, {0.7}), (False, set())):
+        axes = plotting.pyplot_without_window().subplots()[1]
+        plotting.draw_pinned(axes, record, 0.0, (0, 4), line)
+        corners = [
+            c for drawn in axes.collections[1:] for p in drawn.get_paths() for c in p.vertices
+        ]
+        assert {round(time, 3) for x, time in corners if x == 0} == found
 
 
 def test_lines_of_fronts_are_those_of_the_reports(small):
