@@ -49,7 +49,8 @@ void add_outer_forces(const Parameters& p, InterfaceLaw& law, State& s) {
     s.f_z(i, 0) += is_below ? damped(p_i[block], -s.v_z(i, 0)) : p_i[block];
     s.f_z(i, p.Nz - 1) -= is_below ? down : damped(down, s.v_z(i, p.Nz - 1));
   }
-  const double x_drive = drive_position(p, s.drive, s.step);
+  const double x_drive =
+      s.drive.origin_position + p.V * p.dt * static_cast<double>(s.step - s.drive.origin_step);
   s.f_x(0, driving_row(p)) += p.K * (x_drive - s.u_x(0, driving_row(p)));
 }
 

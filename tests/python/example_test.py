@@ -9,6 +9,7 @@ import sys
 
 import pytest
 
+import rupture
 from conftest import BIN, ROOT
 
 NOTEBOOK = ROOT / "docs/examples/first-front.ipynb"
@@ -38,6 +39,11 @@ def test_the_notebook(folder):
     outputs = [one for cell in cells for one in cell.get("outputs", ())]
     assert said == "".join(line for one in outputs for line in one.get("text", ()))
     assert (where / "first-front.png").stat().st_size > 10_000
+    records = (where / "load-record.h5", where / "stopped-record.h5")
+    driven, stopped = map(rupture.open, records)
+    assert (driven.parameters["driving.V"], stopped.parameters["driving.V"]) == (4e-4, 0)
+    assert any(event["spanning"] for event in rupture.analyze("events", driven)["events"])
+    assert not rupture.analyze("events", stopped)["events"][0]["spanning"]
 
 
 def test_the_tutorial(folder, monkeypatch):
