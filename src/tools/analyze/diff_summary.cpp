@@ -66,10 +66,13 @@ Json parameters_json(const ContentFile& a, const ContentFile& b) {
 /// The first sample of two records, of those that both have, in which a series differs; null if
 /// none does.
 Json first_sample_json(Pair pair) {
+  const auto is_other = [](const auto& entry) { return !entry.first.starts_with("/series/"); };
+  std::erase_if(pair.a, is_other);
+  std::erase_if(pair.b, is_other);
   keep_common_rows(pair.a, pair.b);
   std::optional<std::uint64_t> sample;
   for (const Difference& difference : diff(pair.a, pair.b)) {
-    if (!difference.path.starts_with("/series/") || difference.change != Change::values) continue;
+    if (difference.change != Change::values) continue;
     const Shape& shape = pair.a.at(difference.path).shape;
     const std::uint64_t row = difference.first / (element_count(shape) / shape[0]);
     sample = std::min(sample.value_or(row), row);
