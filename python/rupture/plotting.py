@@ -42,6 +42,7 @@ STYLE = {
 
 RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
 ROWS = 1500  # of an image: more than can be told apart
+ABOVE = "0.7"  # colour of front speeds above c_s
 MILLISECONDS = 1e3
 ROUNDING = 1e-6  # of times [ms]
 
@@ -140,7 +141,7 @@ def draw_front_speeds(axes, fronts, looks):
         if np.isfinite(v_c).any():  # not over fewer blocks than a stencil has
             axes.plot(x, v_c, color=colour, marker=marker, label=label)
             above = v_c > front["c_s"]
-            axes.plot(x[above], v_c[above], marker, color="0.7", zorder=3)
+            axes.plot(x[above], v_c[above], marker, color=ABOVE, zorder=3)
     c_s = front["c_s"]
     axes.axhline(c_s, color=BLACK, linewidth=0.8)
     name_line(axes, "$c_s$", c_s)

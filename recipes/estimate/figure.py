@@ -26,7 +26,7 @@ def numbers_of(reference):
 
 
 def draw_band(axes, relaxations, longest):
-    """Of most blocks, each with its own slipping times."""
+    """The range of the slip of most blocks, each with its own slipping times."""
     time = np.linspace(0, longest, 400)
     slips = []
     for one in relaxations:

@@ -78,7 +78,7 @@ def slider():
 
 
 def block():
-    """With its eight neighbours."""
+    """A block with its eight neighbours."""
     x, y, far = 450, 150, 70
     drawn = [text(x, 20, "b  block and its springs")]
     for a, b in [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)]:
@@ -94,7 +94,7 @@ def block():
 
 
 def junction():
-    """Its force while the block moves on."""
+    """The force of a junction while its block moves on."""
     x, y = 620, 230
     drawn = [text(740, 20, "c  force of a junction")]
     drawn += [arrow((x, y), (x + 250, y)), arrow((x, y), (x, 60)), text(x + 235, y + 20, "x_i")]

@@ -115,11 +115,13 @@ def glance_picture(results, claims):
 def in_words(claims):
     """What came out, in two sentences; nothing without verdicts."""
     findings = [claim for claim in claims if claim.kind == "finding" and claim.verdict]
+    if not findings:
+        return ""
     count = Counter(claim.verdict for claim in findings)
     missed = [f"{one.id} ({one.paper})" for one in findings if one.verdict == "differs"]
     said = f"Of {len(findings)} findings of the paper, {count['reproduced']} are reproduced, and"
     said += f" {count['depends']} depend on the event or on how it is measured."
-    return (said + (f" Not met: {'; '.join(missed)}." if missed else "")) * bool(findings)
+    return said + (f" Not met: {'; '.join(missed)}." if missed else "")
 
 
 def contents(root, paper):

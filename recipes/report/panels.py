@@ -30,5 +30,5 @@ def draw_front_speeds(axes, fronts, looks):
     """As in the package. Grey: the loading zone, in which speeds do not count."""
     plotting.draw_front_speeds(axes, fronts, looks)
     L = next(iter(fronts.values()))["L"]
-    axes.plot([], [], "o", color="0.7", label="above $c_s$")
+    axes.plot([], [], "o", color=plotting.ABOVE, label="above $c_s$")
     axes.axvspan(0, LOADING_ZONE / L, color="0.9", linewidth=0, label="loading zone")

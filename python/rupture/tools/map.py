@@ -50,7 +50,7 @@ def shown_of(options, path):
 
 
 def refuse_other_lengths(shown):
-    """Because x/L would not be the same place."""
+    """Refuses interfaces on which the same x/L is another place."""
     first, length = shown[0], shown[0].record.parameters["slider.L"]
     for other in shown[1:]:
         if (found := other.record.parameters["slider.L"]) != length:
@@ -103,16 +103,15 @@ def spread(places, low, high):
 def mark_events(axes, events, t_zero, numbered):
     """Marks at the right where each event begins that does so in view, and writes its number."""
     low, high = axes.get_ylim()
-    starts = [(event["t_start"] - t_zero) * plotting.MILLISECONDS for event in events]
-    events = [event for event, start in zip(events, starts) if low <= start <= high]
-    starts = [start for start in starts if low <= start <= high]
-    size = min(6.5, 6.5 / LINE / max(1, len(events)))
-    for event, start, height in zip(events, starts, spread(starts, low, high)):
+    starts = {e["number"]: (e["t_start"] - t_zero) * plotting.MILLISECONDS for e in events}
+    starts = {number: start for number, start in starts.items() if low <= start <= high}
+    size = min(6.5, 6.5 / LINE / max(1, len(starts)))
+    for (number, start), height in zip(starts.items(), spread([*starts.values()], low, high)):
         axes.plot([1, 1.03], [start, start], color=plotting.BLACK, lw=0.8, clip_on=False)
         if numbered:
             axes.plot([1.03, 1.08], [start, height], color=plotting.BLACK, lw=0.4, clip_on=False)
             place = {"fontsize": size, "va": "center", "annotation_clip": False}
-            axes.annotate(f"{event['number']}", (1.09, height), **place)
+            axes.annotate(f"{number}", (1.09, height), **place)
 
 
 def fronts_of(shown):

@@ -17,12 +17,13 @@ from rupture.programs import analyze
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, progress, say_written
 
-STATE = ("u_x", "u_z", "v_x", "v_z")
-INTERFACE = ("tau", "p", "pinned_fraction")
+DISPLACEMENT, VELOCITY = ("u_x", "u_z"), ("v_x", "v_z")
+FORCES = ("tau", "p")
+INTERFACE = (*FORCES, "pinned_fraction")
 GRIDS = ("slider", "interface")
 
-# One time of the series: the number of the field in a record, None of a checkpoint; and what
-# returns u_x, u_z, tau, p and pinned_fraction.
+# One time of the series: which of how many fields of a record it is, None of a checkpoint; and
+# what returns DISPLACEMENT and INTERFACE.
 Step = namedtuple("Step", "time file field arrays")
 
 
@@ -42,9 +43,9 @@ def parse_options():
 
 
 def arrays_of(checkpoint):
-    found = {name: checkpoint[name] for name in STATE[:2]}
+    found = {name: checkpoint[name] for name in DISPLACEMENT}
     report = analyze("stress", checkpoint)
-    found |= {name: report[name] for name in INTERFACE[:2]}
+    found |= {name: report[name] for name in FORCES}
     return found | {"pinned_fraction": checkpoint.pinned_fraction}
 
 
@@ -56,14 +57,14 @@ def fields_of(record):
         raise Failure(f"{record.path} has no fields: run it again with --fields")
     times = record["fields/time"]
     rows = np.searchsorted(record.time, times)
-    arrays = {name: record[f"fields/{name}"] for name in STATE[:2]}
-    arrays |= {name: record[name][rows] for name in INTERFACE[:2]}
+    arrays = {name: record[f"fields/{name}"] for name in DISPLACEMENT}
+    arrays |= {name: record[name][rows] for name in FORCES}
     arrays["pinned_fraction"] = record.pinned_fraction[rows]
 
     def at(number):
         return {name: array[number].astype(float) for name, array in arrays.items()}
 
-    return [Step(time, record, n, partial(at, n)) for n, time in enumerate(times)]
+    return [Step(time, record, (n, len(times)), partial(at, n)) for n, time in enumerate(times)]
 
 
 def steps_of(files):
@@ -117,7 +118,7 @@ def item(place, shape, bytes_each=8):
     return f'<DataItem {kind} Dimensions="{size_of(shape)}">{escape(place)}</DataItem>'
 
 
-def field_item(place, count, number, shape):
+def field_item(place, number, count, shape):
     """One field of a record, which has `count`."""
     numbers = size_of((number, 0, 0, 1, 1, 1, 1, *shape))  # start, stride, count
     return (
@@ -147,10 +148,12 @@ def grids_of(step, file, derived):
     shape = len(step.file.z), len(step.file.x)
     along = [scalar(name, item(f"{derived}/{name}", (1, shape[1]))) for name in INTERFACE]
     if step.field is None:
-        bulk = [scalar(name, item(f"{file}:/state/{name}", shape)) for name in STATE]
+        bulk = [
+            scalar(name, item(f"{file}:/state/{name}", shape)) for name in DISPLACEMENT + VELOCITY
+        ]
     else:
-        chosen = len(step.file["fields/time"]), step.field, shape
-        bulk = [scalar(n, field_item(f"{file}:/fields/{n}", *chosen)) for n in STATE[:2]]
+        places = {name: f"{file}:/fields/{name}" for name in DISPLACEMENT}
+        bulk = [scalar(n, field_item(place, *step.field, shape)) for n, place in places.items()]
     bulk += [scalar(name, item(f"{derived}/{name}", shape)) for name in STRESSES]
     return (
         grid("slider", step.time, shape, f"{derived}/slider", bulk),
