@@ -5,12 +5,11 @@ import re
 
 from chains.chain import ALL, ALSO, BASE, RUNS, SCRIPT, kept_names
 from measure.conventions import SETS
-from chains.expressions import Expression, first_known
 from chains.point import HOLE, without_time
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
-from chains.programs import given_in
-from chains.ini import check_known, suggestion, words_of
+from chains.programs import check_expression, given_in
+from chains.ini import check_known, words_of
 from chains.values import is_expression
 
 OWN = ("values", "base")  # holes that are no names
@@ -56,15 +55,6 @@ def names_of(chains, chain):
             "commands", name, f"'{name}' is the name of a value, too; take another one"
         )
     return names | values | set(chain.commands)
-
-
-def check_expression(text, names):
-    """What follows a known name is in its report."""
-    for dotted in Expression(text, names).names:
-        if not first_known(dotted, names):
-            name = dotted.partition(".")[0]
-            near = suggestion(name, names) or f"; there are {', '.join(sorted(names))}"
-            raise UsageError(f"'{text}': there is no '{name}'{near}")
 
 
 def check_command(chains, chain, name, names):

@@ -42,7 +42,7 @@ def symbol_of(name, sweep):
 
 
 def as_typed(column, sweep):
-    """With its symbol, and numbers in the unit in which all of them were typed."""
+    """The column with its symbol, and numbers in the unit in which all of them were typed."""
     column = replace(column, symbol=symbol_of(column.name, sweep), axis=sweep.axis or column.scale)
     if not (unit := sweep.typed.get(column.name)) or not column.unit:
         return column
@@ -52,8 +52,7 @@ def as_typed(column, sweep):
 
 
 def label_of(column):
-    heading = plain(column.heading)
-    return heading.replace(plain(column.name), column.symbol, 1) if column.symbol else heading
+    return replace(column, name=column.symbol or plain(column.name)).heading
 
 
 def set_axis(axes, which, axis):
@@ -90,9 +89,7 @@ def draw_line(axes, x, y, done):
         known = np.isfinite(x.positions) & np.isfinite(y.positions)
         places = np.unique(x.positions[known])
         at = [y.positions[known & (x.positions == place)] for place in places]
-        low, medians, high = np.array([np.quantile(each, QUARTILES) for each in at]).T.reshape(
-            3, -1
-        )
+        low, medians, high = ([np.quantile(each, q) for each in at] for q in QUARTILES)
         axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
         axes.fill_between(places, low, high, color=LINES[0], alpha=0.2, linewidth=0)
         axes.plot(places, medians, color=LINES[0])

@@ -187,16 +187,25 @@ def unit_of_column(path, commands, programs):
     raise UsageError(f"analyze reports no '{quantity}'{near}")
 
 
-def check_names(text, names, commands, programs):
-    """Refuses an expression with a name that is not known or not reported."""
+def check_expression(text, names):
+    """What follows a known name is in its report."""
     for dotted in Expression(text, names).names:
-        if not (first := first_known(dotted, names)):
-            raise UsageError(f"'{text}': there is no '{dotted.partition('.')[0]}'")
-        words = words_of(commands.get(first, "-"))
-        asked = f"{words[-1] if len(words) < 2 else words[1]}{dotted.removeprefix(first)}"
-        known = (one == asked or one.startswith(f"{asked}.") for one in programs.quantities)
-        if first in commands and not (words[0] == "analyze" and any(known)):
-            unit_of_column(dotted, commands, programs)
+        if not first_known(dotted, names):
+            name = dotted.partition(".")[0]
+            near = suggestion(name, names) or f"; there are {', '.join(sorted(names))}"
+            raise UsageError(f"'{text}': there is no '{name}'{near}")
+
+
+def check_reported(text, names, commands, programs):
+    """An expression: its names, and that `analyze` reports what it takes from reports."""
+    check_expression(text, names)
+    for dotted in Expression(text, names).names:
+        command = first_known(dotted, names)
+        if command in commands:
+            quantity = dotted.replace(command, words_of(commands[command])[1], 1)
+            is_part = any(one.startswith(f"{quantity}.") for one in programs.quantities)
+            if not is_part or not commands[command].startswith("analyze "):
+                unit_of_column(dotted, commands, programs)
 
 
 def check_columns(chain, values, names, programs):
@@ -212,13 +221,13 @@ def check_columns(chain, values, names, programs):
     for heading, path in rows.items():
         with chain.errors_at("quantities", heading):
             ((name, _, stated),) = HEADING.findall(heading)
-            if not PATH.fullmatch(path):
-                check_names(path, names, chain.commands, programs)
-                unit = stated or "1"
-            else:
+            if PATH.fullmatch(path):
                 unit = unit_of_column(path, chain.commands, programs)
-            if stated and PATH.fullmatch(path) and unit in ("", "1"):
-                raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
+                if stated and unit in ("", "1"):
+                    raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
+            else:
+                check_reported(path, names, chain.commands, programs)
+                unit = stated or "1"
             if stated not in ("", unit):
                 raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
             if "/" in name or not WORDS.fullmatch(name) or name in (".", *columns, *taken):

@@ -85,7 +85,8 @@ def read_chains(recipe):
 def origin_lines(command, results):
     """For the metadata of pictures: what draws them, and the files behind these results, which are
     given as (path, result)."""
-    files = [(Path(path).stem, *item) for path, one in results for item in one["checksums"].items()]
+    sums = ((Path(path).stem, one.get("checksums", {})) for path, one in results)
+    files = ((point, *item) for point, found in sums for item in found.items())
     return [command, *(f"{point}.{name}: content-sha256 {sum[:16]}" for point, name, sum in files)]
 
 

@@ -6,6 +6,7 @@ import os
 import re
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from chains.check import check, names_of
@@ -85,12 +86,11 @@ class OwnSweep:
         """That a logarithmic axis has positive numbers only."""
         with self.chain.errors_at("chain", "axis"):
             check_known(self.sweep.axis, ("", "log", "linear"), "an axis is log or linear, not")
-            for point in self.points or () if self.sweep.axis == "log" else ():
-                for name, text in point.texts(point.look_up).items():
-                    if isinstance(value := as_number(text), float) and value <= 0:
-                        raise UsageError(
-                            f"{name} is {text}: a logarithmic axis has no place for it"
-                        )
+            if self.sweep.axis != "log":
+                return
+            for name, text in ((n, row.get(n)) for row in self.texts for n in self.sweep.varied):
+                if isinstance(value := as_number(text), float) and value <= 0:
+                    raise UsageError(f"{name} is {text}: a logarithmic axis has no place for it")
 
     def check_some(self):
         """That there are points, if they are known."""
@@ -109,24 +109,26 @@ class OwnSweep:
             found.insert(0, above)
         return found
 
+    @cached_property
+    def texts(self):
+        """{name: its value as a text} of each point."""
+        return [point.texts(point.look_up) for point in self.points or ()]
+
     def varied(self):
         """Names of the values that differ between points, and follow no others."""
         follows = {name for name, texts in self.lists if len(texts) == 1 and references(texts[0])}
-        rows = [point.texts(point.look_up) for point in self.points or ()]
-        names = dict.fromkeys(name for row in rows for name in row if name not in follows)
-        found = [name for name in names if len({row.get(name) for row in rows}) > 1]
-        return [name for name in found if name == "variant" or not self.names_variant(name, rows)]
+        names = dict.fromkeys(name for row in self.texts for name in row if name not in follows)
+        found = [name for name in names if len({row.get(name) for row in self.texts}) > 1]
+        return [name for name in found if name == "variant" or not self.names_variant(name)]
 
-    @staticmethod
-    def names_variant(name, rows):
+    def names_variant(self, name):
         """Whether each variant has one value of it, so that it varies with the variant."""
-        pairs = {(row.get("variant"), row.get(name)) for row in rows}
+        pairs = {(row.get("variant"), row.get(name)) for row in self.texts}
         return len(pairs) == len({variant for variant, _ in pairs}) > 1
 
     def typed(self):
-        texts = [item for point in self.points or () for item in point.texts(point.look_up).items()]
         found: dict[str, set] = {}
-        for name, text in texts:
+        for name, text in (item for row in self.texts for item in row.items()):
             found.setdefault(name, set()).add(unit_in(text or ""))
         return {name: units.pop() for name, units in found.items() if len(units) == 1}
 

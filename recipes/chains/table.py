@@ -126,10 +126,9 @@ def is_geometric(places):
     return even_logs < min(0.1, even)
 
 
-def rows(sweep):
-    """One dict per point."""
-    for point in sweep.points:
-        found = result(point)
+def rows(sweep, results):
+    """One dict per point, of which `results` are known."""
+    for point, found in zip(sweep.points, results):
         state = {name: found[name] for name in ("status", "sentence")}
         quantities = {n: measured(point, found, path) for n, path in sweep.columns.items()}
         yield {**point.texts(point.known), **state, **quantities, "point": point.id}
@@ -231,7 +230,8 @@ def print_summary(sweep, table, missing):
 
 def report_sweep(sweep, missing):
     """The exit code: 1 if points are unfinished. `missing`: how many were before."""
-    table = list(rows(sweep))
+    results = [result(point) for point in sweep.points]
+    table = list(rows(sweep, results))
     columns = columns_of(sweep, table)
     plan = Path(sweep.file).resolve()
     stem = plan.with_suffix("")
@@ -247,8 +247,8 @@ def report_sweep(sweep, missing):
     print(f"Table: {stem}.csv and .hdf5", flush=True)  # before anything of Matplotlib
     if elements:
         print(f"Table of lists: {stem}-elements.csv and .hdf5", flush=True)
-    done = [(point.path, result(point)) for point in sweep.points if point.is_done]
-    made_by[:] = origin_lines(f"./reproduce.sh sweep {plan.name}", done)
+    paths = (point.path for point in sweep.points)
+    made_by[:] = origin_lines(f"./reproduce.sh sweep {plan.name}", zip(paths, results))
     print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
     if unfinished:
         print("To retry the unfinished points, run the same command again.", file=sys.stderr)

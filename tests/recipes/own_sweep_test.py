@@ -234,6 +234,7 @@ def test_expressions_are_quantities_with_the_unit_that_their_heading_says(plan):
 def test_a_logarithmic_axis_has_positive_numbers(plan):
     log = CHAIN.replace("[sweep]", "[sweep]\naxis = log")
     assert plan(log).axis == "log"
+    assert plan(log.replace(VALUES, f"{VALUES}\nsigma-bar = 0")).axis == "log"  # it has no axis
     with pytest.raises(UsageError, match="sweep.ini, line 2: tau-bar is 0: a logarithmic axis has"):
         plan(log.replace(VALUES, "tau-bar = 0, 0.1"))
 
