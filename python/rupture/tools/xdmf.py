@@ -153,7 +153,8 @@ def grids_of(step, file, derived):
         ]
     else:
         places = {name: f"{file}:/fields/{name}" for name in DISPLACEMENT}
-        bulk = [scalar(n, field_item(place, *step.field, shape)) for n, place in places.items()]
+        number, count = step.field
+        bulk = [scalar(n, field_item(place, number, count, shape)) for n, place in places.items()]
     bulk += [scalar(name, item(f"{derived}/{name}", shape)) for name in STRESSES]
     return (
         grid("slider", step.time, shape, f"{derived}/slider", bulk),
