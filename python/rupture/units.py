@@ -1,6 +1,7 @@
 """Numbers with units, as the programs read them. Mistakes are ValueErrors."""
 
 import re
+from functools import cache
 
 NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 PREFIXES = {"": 0, "G": 9, "M": 6, "k": 3, "m": -3, "u": -6, "µ": -6, "μ": -6, "n": -9}
@@ -18,6 +19,7 @@ def amount(text):
     return match.groups(default="")
 
 
+@cache  # many points have the same
 def in_si(text):
     """The number and its unit, such as 0.01 and s of 10ms."""
     number, _, prefix, symbol = amount(text)

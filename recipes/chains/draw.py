@@ -10,6 +10,7 @@ from chains.results import origin_lines, read_chains
 from claims.claim import write_claims
 from claims.judge import judge
 from chains.script import module_at
+from report.origin import Accounts, builds
 from report.plotting import made_by
 from rupture.errors import Failure
 
@@ -31,7 +32,9 @@ def main(recipe):
     made_by[:] = origin_lines(f"./reproduce.sh {recipe}", own)
     try:
         numbers = module_at(script).make(chains, results) or []
-        write_claims(results / "claims.json", judge(recipe, chains), numbers)
+        behind = Accounts(Path()).files_behind(recipe, dict(own))
+        claims = judge(recipe, chains), numbers, builds(Path(), behind)
+        write_claims(results / "claims.json", *claims)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
     files = sorted(path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1)

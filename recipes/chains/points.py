@@ -9,7 +9,7 @@ import os
 import re
 import shlex
 from contextlib import suppress
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 
 from chains.chain import ALL, BASE, kept_names, ways_in
@@ -150,22 +150,16 @@ class Point:
         chain, condition = self.chain.among.named(hole.removeprefix(ALL), self.chain)
         points = self.chain.among.points(chain)
         if condition:
-            points = those(lambda one: self.meets(one, condition), points)
+            where = Expression(condition, self.names.union(*(one.names for one in points)))
+            points = those(lambda one: where.value(partial(self.look_up_either, one)), points)
         text = json.dumps([one.row for one in points])
         path = STORE / f"{digest(text)}.list"
         self.lists[path] = text, points
         return str(path)
 
-    def meets(self, other, condition):
-        """Names of the other point come first."""
-
-        def look_up(name):
-            try:
-                return other.known(name)
-            except KeyError:
-                return self.look_up(name)
-
-        return Expression(condition, {*other.names, *self.names}).value(look_up)
+    def look_up_either(self, other, name):
+        """What a name means in a condition for points of another chain: their names come first."""
+        return (other.known if name in other.names else self.look_up)(name)
 
     @cached_property
     def row(self):

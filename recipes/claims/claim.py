@@ -99,23 +99,24 @@ def plain(value):
     return value.tolist()
 
 
-def write_claims(path, claims, numbers=()):
-    """Writes all or nothing. NaN is an error: a missing value is None."""
+def write_claims(path, claims, numbers=(), builds=()):
+    """Writes all or nothing. NaN is an error: a missing value is None. `builds`: of the programs
+    that have computed what was judged (report/origin.py)."""
     content = {"schema": SCHEMA, "claims": [*map(asdict, claims)]}
-    content["numbers"] = [*map(asdict, numbers)]
+    content |= {"numbers": [*map(asdict, numbers)], "builds": builds}
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"
     write_whole(path, text)
 
 
 def read_results(path):
-    """The claims and the numbers."""
+    """The claims, the numbers, and the builds."""
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
         if content["schema"] != SCHEMA:
             raise ValueError(f"its schema is {content['schema']}, not {SCHEMA}")
         claims = [Claim(**row) for row in content["claims"]]
         claims = [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
-        return claims, [Number(**row) for row in content["numbers"]]
+        return claims, [Number(**row) for row in content["numbers"]], content["builds"]
     except (OSError, KeyError, ValueError, TypeError) as error:
         sentence = f"{path} is not a table of claims ({error}): delete it, and compute it again."
         raise Failure(sentence) from error

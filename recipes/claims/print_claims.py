@@ -5,6 +5,7 @@ from collections import Counter
 
 from claims.claim import CLAIMS, HOLDS, VERDICTS, Share, read_results
 from claims.own_result import read_own, text_of
+from claims.released import released
 
 WIDTH = 100
 HEADS = ("case shown", "verdict", "share", "least", "under")
@@ -23,15 +24,16 @@ def cells(claim):
     return case, verdict, *shares
 
 
-def print_table(claims, released):
+def print_table(claims, others):
+    """`others`: the released verdicts, by claim."""
     print(f"claim of the paper\n{FORM.format(*HEADS).rstrip()}")
     print("-" * WIDTH)
     for claim in claims:
         print(textwrap.shorten(f"{claim.id}: {claim.paper}", WIDTH, placeholder=" ..."))
         print(FORM.format(*cells(claim)).rstrip())
         texts = [claim.reason] if claim.reason != claim.case else []
-        if claim.verdict is None and claim.id in released:
-            texts.append(f"released verdict: {released[claim.id]}")
+        if claim.verdict is None and claim.id in others:
+            texts.append(f"released verdict: {others[claim.id]}")
         for line in textwrap.wrap("; ".join(texts), WIDTH - len(INDENT)):
             print(INDENT + line)
 
@@ -48,13 +50,13 @@ def summary(claims):
     return "; ".join(texts)
 
 
-def print_claims(name, results, released):
-    """Prints the claims of a recipe; `released`: texts by claim."""
+def print_claims(name, results, root):
+    """Prints the claims of a recipe. The folder `root` has the verdicts of the release."""
     folder = results / name
-    claims, _ = read_results(folder / CLAIMS)
+    claims, _, builds = read_results(folder / CLAIMS)
     print(f"\n{name}: {summary(claims) or 'no claims of its own'}\n")
     if claims:
-        print_table(claims, released)
+        print_table(claims, released(root, builds))
     for result in read_own(folder):
         print(text_of(result), end="\n\n")
     print(f"Pictures and data: {folder}/")

@@ -69,7 +69,8 @@ class Recipe:
         self.name = folder.name  # beside the page
         self.label = label(name)  # none if it belongs to no figure
         self.title, self.commands = readme.title, readme.commands
-        (self.claims, self.numbers), self.own = read_results(folder / CLAIMS), read_own(folder)
+        self.claims, self.numbers, _ = read_results(folder / CLAIMS)
+        self.own = read_own(folder)
         there = {path.name for path in folder.iterdir()}
         caption = filled(of_files(readme.caption, there), self.claims + self.own)
         self.caption = as_html(caption, shown)
@@ -148,7 +149,7 @@ def contents(root, paper):
             for kind in ("finding", "check")
         ],
         "numbers": [number for recipe in recipes for number in recipe.numbers],
-        "released": released(root, files),
+        "released": released(root, builds),
         "movie": (results / MOVIE).exists() and MOVIE,
         "glance": glance_picture(results, claims),
         "verdicts": as_html(verdicts, shown),

@@ -9,16 +9,18 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from chains.store import put_back
+from chains.store import digest, put_back, read, write_if_changed
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
 from reproduce.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
-from reproduce.project import LOGS, PROGRAMS, ROOT, SHARE, refuse_links, say, use_own_environment
+from reproduce.project import LOGS, PROGRAMS, READ, ROOT, SHARE, refuse_links, say
+from reproduce.project import use_own_environment
 from reproduce.processes import build, ensure_packages
 from claims.print_claims import print_claims
 
 RESULTS = Path("results")
+STATE = Path("build/cache/state")  # after the last run, see state_of
 TRIES = 3  # in an allocation, where a node may be lost
 FROM_SCRATCH = SHARE / "recipes/fig2/from_scratch.ini"
 INSIDE_STEP = re.compile(r"\d{1,6}")  # the interactive step of salloc has a larger number
@@ -122,6 +124,19 @@ def run_recipes(request, processes, recipes, place):
     return did or did_more, has_failed
 
 
+def state_of(wanted):
+    """A digest of what is wanted, and of names, dates and sizes of all files from which it comes or
+    in which it is: as long as it stays the same, there is nothing to do."""
+    folders = [RESULTS / name for name in ("data", *wanted.get("recipes", ()))]
+    folders += [os.environ["RUPTURE_BIN"], *(SHARE / name for name in READ)]
+    files = (
+        Path(at, one) for folder in folders for at, _, names in os.walk(folder) for one in names
+    )
+    stats = [(str(file), file.stat()) for file in sorted(files) if file.exists()]
+    seen = [(file, stat.st_mtime_ns, stat.st_size) for file, stat in stats]
+    return digest(json.dumps([wanted, seen]))
+
+
 def run_ninja(processes, place, own=None, **wanted):
     """Makes what is `wanted` by a plan, which Ninja may write again. Returns whether there was
     anything to do, and whether that failed."""
@@ -129,6 +144,8 @@ def run_ninja(processes, place, own=None, **wanted):
     from chains.progress import STATUS, follow
 
     wanted |= {"cores": place.cores, "megabytes": place.megabytes}
+    if not own and read(STATE) == state_of(wanted):
+        return False, False
     try:
         plan = write_plan(**wanted, own=own)
     except OSError as error:
@@ -145,6 +162,7 @@ def run_ninja(processes, place, own=None, **wanted):
         finally:
             put_back()
         if not code:
+            write_if_changed(STATE, state_of(wanted))
             break
     return any(did), bool(code)
 
@@ -162,13 +180,8 @@ def reproduce(request, recipes, processes):
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
     note_run(recipes, place, started)
-    from claims.released import released  # reads HDF5 files
-    from report.origin import Accounts
-
-    accounts = Accounts(ROOT)
     for name in recipes:
-        beside = released(ROOT, accounts.files_behind(name))
-        print_claims(name, RESULTS.resolve(), beside)
+        print_claims(name, RESULTS.resolve(), ROOT)
 
 
 def is_current(path):

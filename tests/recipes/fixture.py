@@ -68,7 +68,8 @@ NUMBER |= {"median": 8.4, "low": 8.0, "high": 9.0}
 
 
 def results_of(claims):
-    return {"schema": 2, "claims": claims, "numbers": [NUMBER] if claims[0]["id"] == "3A" else []}
+    numbers = [NUMBER] if claims[0]["id"] == "3A" else []
+    return {"schema": 2, "claims": claims, "numbers": numbers, "builds": []}
 
 
 class Project:

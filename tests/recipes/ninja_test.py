@@ -12,11 +12,12 @@ from unittest.mock import Mock, patch
 import pytest
 
 from chains import digests, progress
-from chains.point import compute
+from chains.point import compute as compute_point
 from chains.selection import Chains
 from claims.judge import table
 from conftest import BIN, ROOT, run
 from fixture import png
+from reproduce import compute
 from reproduce.written import append_to
 from stand_ins import Project
 
@@ -160,6 +161,24 @@ def test_words_compute_nothing_and_describe_the_results_anew(tiny):
     for name, old, new in UNTOUCHED:
         tiny.replace(name, old, new)
     assert tiny.computed() == [] and tiny.crate().stat().st_mtime_ns > before
+
+
+BEHIND = ("bin/prepare", "recipes/*/runs.ini", "python/rupture/units.py", "checkpoints/*.h5")
+BEHIND += ("results/data/points/*.json", "results/data/points/*.h5", "results/tiny/*.png")
+
+
+@pytest.mark.parametrize("place", BEHIND)
+def test_any_other_date_is_a_reason_to_look_closer(crashed, monkeypatch, place):
+    """Also an earlier one."""
+    monkeypatch.chdir(crashed[0].root)
+    monkeypatch.setenv("RUPTURE_BIN", "bin")
+    monkeypatch.setattr(compute, "SHARE", crashed[0].root)
+    wanted, path = {"recipes": ["tiny"]}, next(crashed[0].root.glob(place))
+    state, date = compute.state_of(wanted), path.stat().st_mtime_ns
+    os.utime(path, ns=(date, date - 1))
+    assert compute.state_of(wanted) != state
+    os.utime(path, ns=(date, date))
+    assert compute.state_of(wanted) == state != compute.state_of({"recipes": []})
 
 
 def test_dates_and_the_folder_do_not_count(crashed, tmp_path):
@@ -321,7 +340,7 @@ def test_commands_typed_by_hand_give_the_same_files(folder, name):
     path = {"PATH": f"{BIN}:{os.environ['PATH']}"}
     subprocess.run(["bash", "-ec", typed], env=os.environ | path, check=True)
     (folder / "in").mkdir()
-    checksums = compute(point.work, "in")["checksums"]
+    checksums = compute_point(point.work, "in")["checksums"]
     assert checksums.keys() == {path.name for path in folder.glob("*.h5")}
     for file, checksum in checksums.items():
         assert run("analyze", "checksum", file).stdout.split() == [checksum]

@@ -55,24 +55,19 @@ A verdict needs runs with other random numbers: {command} makes them once, in ab
         (["unknown (no provenance)"], False),
     ],
 )
-def test_verdicts_of_the_release_are_of_its_programs(tmp_path, monkeypatch, builds, known):
-    """The build of each file; that of a shipped checkpoint does not count."""
-    files = dict(zip(("results/data/a.h5", "results/data/b.h5"), builds))
-    of_files = {"results/data/shipped.h5": "rupture 0.2.0, commit a, gcc 12"} | files
-    count = lambda _, names: [(of_files[name], 1) for name in names]  # noqa: E731
-    monkeypatch.setattr("claims.released.builds", count)
+def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
     spill(tmp_path / "docs/verdicts.csv", TABLE)
-    spill(tmp_path / "checkpoints/shipped.h5", "")
     texts = {"3A": "0.4.0: reproduced, 86 of 91", "3C-inset": "0.4.0: depends"}
-    assert released(tmp_path, of_files) == (texts if known else {})
+    assert released(tmp_path, [(build, 1) for build in builds]) == (texts if known else {})
     assert released(tmp_path / "elsewhere", []) == {}
 
 
 def test_a_case_is_no_verdict(tmp_path, capsys):
     folder = tmp_path / "fig3"
     folder.mkdir()
-    write_claims(folder / "claims.json", CLAIMS)
-    print_claims("fig3", tmp_path, {"3A": "0.4.0: reproduced, 86 of 91"})
+    write_claims(folder / "claims.json", CLAIMS, builds=[(BUILD, 2)])
+    spill(tmp_path / "docs/verdicts.csv", TABLE)
+    print_claims("fig3", tmp_path, tmp_path)
     assert capsys.readouterr().out == TEXT.format(
         folder=folder, command="./reproduce.sh ensemble fig3"
     )
