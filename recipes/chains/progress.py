@@ -12,6 +12,7 @@ LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
 STATUS = "[%f/%t] "  # of Ninja ($NINJA_STATUS)
 WAIT = 10.0  # [s] before the time for the rest is estimated
+PART = 1 / 3  # of a recipe's jobs that must be done by then: the longest come first
 STEP = re.compile(r"\[(\d+)/(\d+)\] (.*)")
 FAILED = re.compile(r"FAILED: (\S+)")
 UNSAID = ("ninja: no work to do.", "ninja: build stopped: ")
@@ -34,8 +35,8 @@ def complain(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def follow(lines):
-    """Returns whether Ninja did anything."""
+def follow(lines, part=PART):
+    """Returns whether Ninja did anything. `part`: as PART."""
     start, did, described = time.monotonic(), False, ""
     seconds = began = 0.0  # when the numbers that Ninja gives began [s]
     last = 0  # of these numbers; after what decides about other points, they begin anew
@@ -50,7 +51,8 @@ def follow(lines):
             if described.startswith("plan "):
                 continue
             log(described)
-            rest = rest_of(seconds - began, last, int(total))
+            is_early = last < part * int(total)
+            rest = "" if is_early else rest_of(seconds - began, last, int(total))
             show(f"[{seconds:4.0f} s{rest}] {count:>{len(total)}}/{total} {described}")
         elif failed := FAILED.match(line):
             complain(f"\nFailed: {described}\n  to make: {failed[1]}")

@@ -141,7 +141,7 @@ def run_ninja(processes, place, own=None, **wanted):
     """Makes what is `wanted` by a plan, which Ninja may write again. Returns whether there was
     anything to do, and whether that failed."""
     from chains.plan import write_plan
-    from chains.progress import STATUS, follow
+    from chains.progress import PART, STATUS, follow
 
     wanted |= {"cores": place.cores, "megabytes": place.megabytes}
     if not own and read(STATE) == state_of(wanted):
@@ -158,7 +158,7 @@ def run_ninja(processes, place, own=None, **wanted):
     ninja, did = ["ninja", "-f", plan, "-j", place.cores, "-k", 0], []
     for _ in range(TRIES if place.step else 1):
         try:
-            code = processes.run(ninja, lambda lines: did.append(follow(lines)))
+            code = processes.run(ninja, lambda lines: did.append(follow(lines, 0 if own else PART)))
         finally:
             put_back()
         if not code:

@@ -308,14 +308,15 @@ ninja: build stopped: subcommand failed.
 """
 
 
-def test_what_ninja_says_is_said_in_our_words(capsys, folder):
+@pytest.mark.parametrize("part, rest", [(1 / 3, ", about 18 s left"), (0.6, "")])
+def test_what_ninja_says_is_said_in_our_words(capsys, folder, part, rest):
     lines = NINJA.format(many="\n".join(["more"] * 40)).splitlines()
     with patch("time.monotonic", Mock(side_effect=[0, 5, 12, 30])):
-        assert progress.follow(iter(lines))
+        assert progress.follow(iter(lines), part)
     said = capsys.readouterr()
     assert said.out.splitlines() == [
         "[   5 s] 1/4 a: x 1",
-        "[  30 s, about 18 s left] 1/2 b",
+        f"[  30 s{rest}] 1/2 b",
         "    1 of 2 points failed",
     ]
     failed, making, *more, last, error = said.err.strip().splitlines()
