@@ -114,27 +114,22 @@ def files_in_a_folder(folder, monkeypatch):
 
 
 RUN = "[commands]\nrun = prepare {values} -o a.h5\n"
-COMMANDS = [  # a file, and the commands of its points
-    (f"{RUN}[values]\ntau-bar = 0.1, 0.2\n", ["--tau-bar 0.1 -o a.h5", "--tau-bar 0.2 -o a.h5"]),
-    (f"[sweep]\n{RUN}[values]\nseed = 1 to 2", ["--seed 1 -o a.h5", "--seed 2 -o a.h5"]),
-    (
-        f"{RUN}[values]\nslider.E = 2 GPa\nx = 2 * {{slider.E}}",
-        ["--set 'slider.E=2 GPa' --x 4000000000 -o a.h5"],
-    ),
-    (
-        f"{RUN}[variant v]\nseed = 1\n[variant w]\nseed = 2",
-        ["--seed 1 -o a.h5", "--seed 2 -o a.h5"],
-    ),
-    (
-        "[commands]\nrun = prepare {values} --seed {n} -o a.h5\n[values]\nn = 7\ntau-bar = 0.1",
-        ["--tau-bar 0.1 --seed 7 -o a.h5"],  # a value that is named is no option
-    ),
-    ("[commands]\nrun = prepare --seed {n + 1} -o a.h5\n[values]\nn = 7", ["--seed 8 -o a.h5"]),
-    (
-        "[commands]\nrun = prepare --x {m} -o a.h5\n[values]\nn = 7\nm = {n / 2}",
-        ["--x 3.5 -o a.h5"],
-    ),
-    ("[commands]\nrun = prepare --x {n} -o a.h5\n[values]\nn = $(x) y", ["--x '$(x) y' -o a.h5"]),
+
+
+def run(words, values):
+    return f"[commands]\nrun = prepare {words} -o a.h5\n[values]\n{values}\n"
+
+
+COMMANDS = [  # a file, and the commands of its points, without the program and `-o a.h5`
+    (run("{values}", "tau-bar = 0.1, 0.2"), ["--tau-bar 0.1", "--tau-bar 0.2"]),
+    (f"[sweep]\n{RUN}[values]\nseed = 1 to 2", ["--seed 1", "--seed 2"]),
+    (run("{values}", "a.E = 2 GPa\nx = 2 * {a.E}"), ["--set 'a.E=2 GPa' --x 4000000000"]),
+    (f"{RUN}[variant v]\nseed = 1\n[variant w]\nseed = 2", ["--seed 1", "--seed 2"]),
+    # A value that is named is no option.
+    (run("{values} --seed {n}", "n = 7\ntau-bar = 0.1"), ["--tau-bar 0.1 --seed 7"]),
+    (run("--seed {n + 1}", "n = 7"), ["--seed 8"]),
+    (run("--x {m}", "n = 7\nm = {n / 2}"), ["--x 3.5"]),
+    (run("--x {n}", "n = $(x) y"), ["--x '$(x) y'"]),
     (
         "[chain]\nbase = ../../b.h5\n"
         "[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
@@ -146,9 +141,8 @@ COMMANDS = [  # a file, and the commands of its points
         ["front r.h5 --also '--stencil 3; --slow-below 0.1'"],
     ),
     (  # filled in when it runs
-        "[commands]\nfront = analyze front r.h5\n"
-        "run = restart a.h5 --until {front.t_rupture[8]} -o a.h5",
-        ["a.h5 --until {front.t_rupture[8]} -o a.h5"],
+        "[commands]\nfront = analyze front r.h5\nrun = restart a.h5 --until {front.t_rupture[8]}",
+        ["a.h5 --until {front.t_rupture[8]}"],
     ),
 ]
 
@@ -156,7 +150,8 @@ COMMANDS = [  # a file, and the commands of its points
 @pytest.mark.parametrize("text, expected", COMMANDS)
 def test_the_commands_of_points(files, text, expected):
     files.write(x=text)
-    assert [point.commands["run"].split(" ", 1)[1] for point in files.read()] == expected
+    found = [point.commands["run"].removesuffix(" -o a.h5") for point in files.read()]
+    assert [command.split(" ", 1)[1] for command in found] == expected
 
 
 ABOVE = (
@@ -279,13 +274,14 @@ def test_points_of_the_same_commands_and_base_are_one_which_a_figure_gets_twice(
     assert len({point.path for point in (*found, *files.read("z"))}) == 4
 
 
+def chain(keys):
+    return f"[chain]\n{keys}\n{RUN}"
+
+
 WRONG = [  # a file, and the sentence that follows its name
     (RUN.replace("prepare", "rm"), "line 2: there is no program 'rm'"),
     (RUN.replace("{values}", "{valus}"), "line 2: 'valus': there is no 'valus'; there are run"),
-    (
-        f"{RUN}y = load --x {{run.a}} {{ru.b}}",
-        "line 3: 'ru.b': there is no 'ru': did you mean 'run'",
-    ),
+    (f"{RUN}y = load {{run.a}} {{ru.b}}", "line 3: 'ru.b': there is no 'ru': did you mean 'run'"),
     (f"{RUN}y = load {{base}}", r"line 3: .*{base} needs base = FILE in \[chain\]"),
     (f"{RUN}y = load {{x", "line 3: .*a brace is missing"),
     (f"{RUN}y = load 'x", "line 3: .*cannot be split into words"),
@@ -294,34 +290,19 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{RUN}y = analyze front {{all above}}", "line 3: .*is for scripts"),
     (f"{RUN}y = analyze front r.h5 --also al", "line 3: there is no set of ways to measure 'al'"),
     (f"{RUN}[values]\nrun = 1", "line 2: 'run' is the name of a value, too"),
-    (f"[chain]\npoints = run in above: events.list\n{RUN}", "line 4: 'run' is the name of a value"),
+    (chain("points = run in above: events.list"), "line 4: 'run' is the name of a value"),
     (f"{RUN}[values]\nx = 1 to 2.5", "line 4: .*give its step"),
     (f"{RUN}[values]\nx =", "line 4: 'x' in .values. has no value"),
-    (f"[chain]\npoint = y\n{RUN}", "line 2: .chain. has no key 'point': did you mean 'points'"),
+    (chain("point = y"), "line 2: .chain. has no key 'point': did you mean 'points'"),
     (f"[chains]\nbase = y\n{RUN}", "line 2: there is no section 'chains': did you mean 'chain'"),
-    (
-        f"[chain]\npoints = y\n{RUN}",
-        "line 2: there is no chain recipes/a/y.ini; beside it are above, x",
-    ),
-    (
-        f"[chain]\npoints = e in above\n{RUN}",
-        "line 2: write points = CHAIN, or NAME in CHAIN: LIST",
-    ),
-    (
-        f"[chain]\npoints = e in above: event.s\n{RUN}",
-        "line 2: 'event.s': there is no 'event': did you mean 'events'",
-    ),
-    (
-        f"[chain]\npoints = above where sed == 1\n{RUN}",
-        "line 2: .*there is no 'sed': did you mean 'seed'",
-    ),
-    (
-        f"[chain]\npoints = above\nbase = above: r.h5\n{RUN}",
-        "line 3: .*above.ini does not keep r.h5",
-    ),
-    (f"[chain]\nbase = above: l.h5\n{RUN}", "line 2: its points do not come from above"),
-    (f"[chain]\nkeep = b.h5\n{RUN}", "line 2: no command writes b.h5"),
-    (f"[chain]\nkeep = ../a.h5\n{RUN}", "line 2: '../a.h5' is not the name of a file"),
+    (chain("points = y"), "line 2: there is no chain recipes/a/y.ini; beside it are above, x"),
+    (chain("points = e in above"), "line 2: write points = CHAIN, or NAME in CHAIN: LIST"),
+    (chain("points = e in above: event.s"), "line 2: 'event.s': .*'event': did you mean 'events'"),
+    (chain("points = above where sed == 1"), "line 2: .*there is no 'sed': did you mean 'seed'"),
+    (chain("points = above\nbase = above: r.h5"), "line 3: .*above.ini does not keep r.h5"),
+    (chain("base = above: l.h5"), "line 2: its points do not come from above"),
+    (chain("keep = b.h5"), "line 2: no command writes b.h5"),
+    (chain("keep = ../a.h5"), "line 2: '../a.h5' is not the name of a file"),
     ("[chain]\nlike = x.ini\n", "'like' leads back to the same file"),
     ("x", "line 1: expected .SECTION. first"),
 ]
