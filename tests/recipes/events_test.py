@@ -1,24 +1,37 @@
-"""Kinds of events, and which of a load are shown (recipes/measure)."""
+"""Kinds of events, which of a load are shown, and which of independent runs is most like the
+paper's; made-up events worked out by hand."""
+
+import math
+
+from pytest import raises
 
 from choose_shown import choose
 from conftest import approx
 from measure.conventions import CONVENTIONS, PRIMARY
 from measure.event_numbers import numbers_of_events
+from most_like import candidates, choice, ratios_of, unlikeness
+
+C_S, L = 1000.0, 0.1
 
 
-def event(t_start, *, kind="slow", fast_slow_fast=True):
-    return {"t_start": t_start, "type": kind, "fast_slow_fast": fast_slow_fast}
+def event(t_start=0.3, kind="slow", **changed):
+    """It spans with the paper's own numbers where nothing else is said, and a block ruptures every
+    millisecond."""
+    slow = {"x_from": 0.4 * L, "x_to": 0.6 * L, "duration": 1e-3, "fast_before": C_S / 3}
+    slow |= {"slowest": C_S / 100, "mean": 9.0, "fast_after": 400.0} | changed
+    ruptures = [k * 1e-3 for k in range(11)]
+    found = {"t_start": t_start, "type": kind, "fast_slow_fast": kind == "slow", "slow": slow}
+    found |= {"spanning": True, "speed": 10.0, "t_rupture": ruptures, "t_front": ruptures}
+    return found | {"c_s": C_S, "L": L}
+
+
+FAST_EVENT = event(kind="fast") | {"slow": None}
 
 
 class TestChoice:
     def test_the_fast_event_comes_after_the_first_slow_one(self):
-        events = [
-            event(0.1, kind="fast", fast_slow_fast=False),
-            event(0.2),
-            event(0.3, kind="fast", fast_slow_fast=False),
-            event(0.4, fast_slow_fast=False),
-            event(0.5),
-        ]
+        events = [event(0.1, "fast"), event(0.2), event(0.3, "fast"), event(0.4), event(0.5)]
+        events[3]["fast_slow_fast"] = False
         chosen = {name: found["t_start"] for name, found in choose(events).items()}
         assert chosen == {"fast-slow-fast": 0.2, "fast-only": 0.3, "second-slow": 0.5}
 
@@ -35,27 +48,12 @@ class TestConventions:
         assert {len(options) for options in others} == {1}
 
 
-def made_up(fast, slowest, x_from=0.05, duration=1e-3, in_words=True):
-    """An event that spans; c_s is 1000 m/s, L is 0.1 m, and a block ruptures every millisecond."""
-    slow = dict(fast_before=fast, slowest=slowest, mean=9.0, x_from=x_from, x_to=0.06)
-    return {
-        "type": "slow" if in_words else "fast",
-        "spanning": True,
-        "fast_slow_fast": in_words,
-        "speed": 10.0,
-        "c_s": 1000.0,
-        "L": 0.1,
-        "slow": slow | {"duration": duration},
-        "t_rupture": [k * 1e-3 for k in range(11)],
-        "t_front": [k * 1e-3 for k in range(11)],
-    }
-
-
 class TestNumbers:
     def test_an_event_that_creeps_is_not_in_the_set(self):
         """0.4 counted one of 26 ms at 1.27 m/s, which had never been fast."""
-        shown, creeping = made_up(300.0, 20.0), made_up(1.3, 1.27, duration=26e-3, in_words=False)
-        events = [shown, made_up(100.0, 10.0), made_up(200.0, 10.0), creeping]
+        creeping = event(kind="fast", fast_before=1.3, slowest=1.27, duration=26e-3)
+        shown = event(fast_before=300.0, slowest=20.0)
+        events = [shown, event(fast_before=100.0), event(fast_before=200.0), creeping]
         found = {n.quantity: n for n in numbers_of_events(shown, creeping, events[1], events)}
         before = found["speed before the slow stretch [c_s]"]
         assert (before.shown, before.most_like, before.median) == approx((0.3, 0.1, 0.2))
@@ -68,6 +66,42 @@ class TestNumbers:
         assert found["speed of events that are fast everywhere [c_s]"].median == approx(0.01)
 
     def test_without_independent_runs_there_is_no_median(self):
-        shown = made_up(300.0, 20.0)
+        shown = event(fast_before=300.0)
         first, *_ = numbers_of_events(shown, shown, None, [])
         assert (first.median, first.most_like, first.ratio) == (None, None, approx(0.9))
+
+
+class TestMostLike:
+    def test_the_papers_own_numbers_are_one(self):
+        for name, ratio in ratios_of(event()).items():
+            assert ratio == approx(1), name
+        assert unlikeness(ratios_of(event())) == approx(0)
+
+    def test_each_of_the_five_counts_by_its_logarithm(self):
+        for changed in (
+            *({"fast_before": C_S / 6}, {"slowest": C_S / 50}, {"duration": 2e-3}),
+            *({"x_from": 0.2 * L}, {"x_to": 1.2 * L}),
+        ):
+            assert unlikeness(ratios_of(event(**changed))) == approx(math.log(2) ** 2)
+
+    def test_an_event_that_lacks_one_is_no_candidate(self):
+        for name in ("fast_before", "slowest", "x_from", "x_to", "duration", "fast_after"):
+            assert ratios_of(event(**{name: None})) is None, name
+        assert ratios_of(FAST_EVENT) is None
+        assert ratios_of(event(kind="arrested")) is None
+        assert ratios_of(event(duration=0.0)) is None
+
+    def test_half_the_duration_is_nearer_than_three_times(self):
+        loads = {
+            "load-01": [FAST_EVENT, event(0.1, duration=3e-3)],
+            "load-02": [event(0.2, slowest=C_S / 25), event(0.3123456, duration=0.5e-3)],
+        }
+        rows = [row for _, row in candidates(loads)]
+        assert [row["t_start [s]"] for row in rows] == [0.3123456, 0.1, 0.2]
+        chosen = {load: choice(load, loads)["chosen"] for load in loads}
+        assert chosen == {"load-01": [], "load-02": loads["load-02"][1:]}
+        assert choice("load-01", loads)["candidates"] == rows
+
+    def test_no_candidate_is_an_error_that_says_so(self):
+        with raises(SystemExit, match="load for longer"):
+            choice("load-01", {"load-01": [FAST_EVENT]})
