@@ -3,14 +3,7 @@
 from conftest import approx
 from made_up import Made
 from measure.pairs import share_of_lower
-from strength import (
-    Block,
-    largest_deviation,
-    map_strata,
-    over_events,
-    prepared_points,
-    share_near,
-)
+from strength import Block, largest_deviation, map_strata, over_events, prepared_points, share_near
 
 LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}
 POINT = Block("slow", 0.5, 0.1, 0.5, "uniform")  # on its curve
