@@ -38,7 +38,6 @@ PLANTED = {
     '<script>console.error("x")</script>': '"x"',
 }
 
-
 TIMEOUT = 240  # [s], of a busy machine
 ARGUMENTS = (
     *("chromium", "--headless", "--window-size=1500,900"),

@@ -45,13 +45,6 @@ def commands_of(chains, path):
     return [re.sub(r"\{[^{}]*\}|'[^']*;[^']*'", "$", line) for line in lines]
 
 
-def all_commands():
-    chains = Chains()
-    for path in sorted((ROOT / "recipes").rglob("*.ini")):
-        if path.name != "figure.ini":
-            yield from commands_of(chains, path)
-
-
 def calls_in(text):
     """Words of each call of a program, without files. A part that the shell computes is `$`,
     and so is a list with semicolons."""
@@ -106,8 +99,12 @@ def matches(call, other):
 
 @fixture(scope="module", name="calls")
 def all_calls():
-    found = [parse(words) for text in all_commands() for words in calls_in(text)]
-    return list({repr(call): call for call in found}.values())
+    chains, found = Chains(), {}
+    for path in (ROOT / "recipes").rglob("*.ini"):
+        lines = commands_of(chains, path) if path.name != "figure.ini" else ()
+        calls = (parse(words) for line in lines for words in calls_in(line))
+        found |= {repr(call): call for call in calls}
+    return list(found.values())
 
 
 @mark.parametrize("name", recipe_names(ROOT))
@@ -138,7 +135,7 @@ def test_parameters_vary_together(calls, name, power, scaled, reference):
     )
 
 
-WHERE_AND_HOW_LONG = (*UNSAID, "--for", "--skip-below-x")  # may differ from event to event
+WHERE_AND_HOW_LONG = {*UNSAID, "--for", "--skip-below-x"}  # may differ from event to event
 
 
 def options_of(recipe, selection):
@@ -147,13 +144,10 @@ def options_of(recipe, selection):
     path = ROOT / "recipes" / (name if "/" in name else f"{recipe}/{name}")
     lines = Chains().load(path.with_suffix(".ini")).commands.items()
     calls = {n: [*map(parse, calls_in(re.sub(r"\{[^{}]*\}", "$", line)))] for n, line in lines}
-    return {
-        name: [
-            [of, {k: v for k, v in given.items() if k not in WHERE_AND_HOW_LONG}]
-            for of, given in of_name
-        ]
-        for name, of_name in calls.items()
-    }
+    for given in (given for found in calls.values() for _, given in found):
+        for name in given.keys() & WHERE_AND_HOW_LONG:
+            del given[name]
+    return calls
 
 
 @mark.parametrize("claim_id", [name for name, row in table().items() if "each" in row])

@@ -15,7 +15,6 @@ DX = 2.5e-3  # [m]
 BLOCKS = 16
 TAU_0 = 3.0
 
-
 EXPONENTIAL = 5 * np.exp(-np.arange(9) / 2.0)
 UNEVEN = np.exp(-np.array([0, 1, 2, 4, 14, 24.0]))  # each fit uses its own blocks
 LENGTHS = [  # the method, the excess ahead of the tip, and its decay length [blocks]
