@@ -60,6 +60,8 @@ MEANS_DIFFER: dict = {
 }
 PRESTRESSED = ("before", "later", "depinned", "p")
 CURVES = ("uniform_closed", "uniform_quadrature", "bell_quadrature")
+NET_SLIP = "net_slip_over_f_slip_per_k_ij"
+SLIP_AFTER_TWO_T_R = "slip_after_two_t_R_over_f_slip_per_k_ij"
 # For 2A-numbers: the paper's event, and values just within and beyond the bounds.
 PAPERS = {"x_from": 0.4 * L, "x_to": 0.6 * L, "duration": 1e-3}
 PAPERS |= {"fast_before": C_S / 3, "slowest": C_S / 100}
@@ -342,16 +344,10 @@ EXAMPLES = {
         {"order.slow_range": ([], [0.07, 0.06, None])},
     ),
     "SI-slip": Example(
+        {"reference": {SLIP_AFTER_TWO_T_R: 0.0, NET_SLIP: 8.5}, "unbreakable": {NET_SLIP: 5.187}},
         {
-            "reference": {
-                "slip_after_two_t_R_over_f_slip_per_k_ij": 0.0,
-                "net_slip_over_f_slip_per_k_ij": 8.5,
-            },
-            "unbreakable": {"net_slip_over_f_slip_per_k_ij": 5.187},
-        },
-        {
-            "reference.net_slip_over_f_slip_per_k_ij": ([8.1, 8.9], [8.09, 8.91]),
-            "unbreakable.net_slip_over_f_slip_per_k_ij": ([], [5.186, 5.188]),
+            f"reference.{NET_SLIP}": ([8.1, 8.9], [8.09, 8.91]),
+            f"unbreakable.{NET_SLIP}": ([], [5.186, 5.188]),
         },
     ),
     "SI-time": Example(

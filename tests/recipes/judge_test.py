@@ -117,6 +117,22 @@ JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reaso
 ]
 
 
+FAILED = Made()
+FAILED.status = "failed"
+OF_RUNS: dict = {"unit": "run", "ways": False}
+BRANCHES: dict = {"under": {"further": {"each": "others"}, "less": {"with": {"x": "of.x - 2"}}}}
+SHARES = [  # a claim, what is changed in it, its units, and for how many of how many it holds
+    # A unit without a case counts against it, and so does a point that failed.
+    ("one", {}, [run(GOOD, other=[]), run(GOOD, other=[GOOD])], {PRIMARY: (2, 2), "other": (1, 2)}),
+    ("one", OF_RUNS, [*runs(5, 0), FAILED], {PRIMARY: (5, 6)}),
+    ("state", OF_RUNS, [*seeds(5, 0), FAILED], {PRIMARY: (5, 6)}),
+    # Where there is nothing to compare, there is no unit.
+    ("any", {"unit": "run"}, [seed(LOW), seed(HIGH), seed(None)], {PRIMARY: (1, 2)}),
+    # A branch is another convention.
+    ("any", OF_RUNS | BRANCHES, [seed(HIGH)], {PRIMARY: (0, 1), "further": (1, 2), "less": (1, 1)}),
+]
+
+
 def shown_of(x):
     """The point in the picture; one that cannot be compared if there is no x."""
     if isinstance(x, tuple):
@@ -168,31 +184,11 @@ class TestJudge:
         shares = judge.shares_of(MADE_UP["state"], {"units": seeds(3, 3)})
         assert [(s.units, s.low, s.high) for s in shares] == 2 * [(1, None, None)]
 
-    def test_a_unit_without_a_case_counts_against_the_claim(self):
-        units = runs(10, 0, other=10)
-        units[0]["of"]["under"]["other"]["cases"] = []
-        _, other = judge.shares_of(MADE_UP["one"], {"units": units})
-        assert (other.convention, other.holds, other.units) == ("other", 9, 10)
-
-    def test_a_point_that_failed_counts_against_the_claim(self):
-        failed = Made()
-        failed.status = "failed"
-        for name, done in (("one", runs(5, 0)), ("state", seeds(5, 0))):
-            row = MADE_UP[name] | {"unit": "run", "ways": False}
-            [share] = judge.shares_of(row, {"units": [*done, failed]})
-            assert (share.holds, share.units) == (5, 6)
-
-    def test_where_there_is_nothing_to_compare_there_is_no_unit(self):
-        row = MADE_UP["any"] | {"unit": "run"}
-        [share] = judge.shares_of(row, {"units": [seed(LOW), seed(HIGH), seed(None)]})
-        assert (share.holds, share.units) == (1, 2)
-
-    def test_a_branch_is_another_convention(self):
-        row = MADE_UP["any"] | {"unit": "run", "ways": False}
-        row |= {"under": {"further": {"each": "others"}, "less": {"with": {"x": "of.x - 2"}}}}
-        chains = {"units": [seed(HIGH)], "others": [seed(LOW), seed(HIGH)]}
-        shares = {s.convention: (s.holds, s.units) for s in judge.shares_of(row, chains)}
-        assert shares == {PRIMARY: (0, 1), "further": (1, 2), "less": (1, 1)}
+    @mark.parametrize("name, changed, units, expected", SHARES)
+    def test_shares(self, name, changed, units, expected):
+        chains = {"units": units, "others": [seed(LOW), seed(HIGH)]}
+        shares = judge.shares_of(MADE_UP[name] | changed, chains)
+        assert {s.convention: (s.holds, s.units) for s in shares} == expected
 
     def test_counts_spanning_events_where_one_is_enough(self):
         units = [run(GOOD, BAD, BAD) for _ in range(20)]

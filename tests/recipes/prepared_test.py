@@ -11,7 +11,7 @@ import no_slip_force
 from conftest import approx
 from measure.conventions import CONVENTIONS, PRIMARY, WAYS
 
-DX = 2.5e-3  # [m]
+DX = 3e-3  # [m]
 BLOCKS = 16
 TAU_0 = 3.0
 
@@ -70,8 +70,10 @@ class TestOneFront:
         ruptures = [*self.RUPTURES[:3], None, *self.RUPTURES[4:]]
         assert decay_length.profile(4, ruptures, time, tau) is None
 
-    def test_lengths_are_in_metres(self):
-        found = decay_length.of_front(*record(self.RUPTURES))
+    def test_lengths_are_in_metres_and_medians(self):
+        front, time, tau = record(self.RUPTURES)
+        tau[9, 5:] += np.exp(-np.arange(BLOCKS - 5) / 3)  # when the force on block 5 is largest
+        found = decay_length.of_front(front, time, tau)
         assert found["profiles"] == 5
         assert found["l_0"][PRIMARY] == approx(DX)
         assert found["excess"][1] == approx(1 / math.e)

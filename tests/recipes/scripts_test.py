@@ -3,7 +3,6 @@
 import numpy as np
 from pytest import fixture
 
-import decay_length
 import deviation
 import distance
 import exponential_order
@@ -156,14 +155,6 @@ def test_3C_neighbours_are_alike_up_to_a_fifth(monkeypatch):
     assert found == {"largest": 1.3, "of_all": [None, 1.3, 1.2]}
     case = Names(table()["3C-neighbours"], Made(neighbours=found)).case()
     assert [*case.values()] == [1.3, 3, 1]
-
-
-def test_3D_length_the_shown_profile_is_a_median(monkeypatch):
-    found = [np.array([1.0, height]) for height in (0.1, 0.2, 0.9)]
-    monkeypatch.setattr(decay_length, "profiles", lambda *_: found)
-    monkeypatch.setattr(decay_length, "METHODS", {PRIMARY: lambda excess: excess[1]})
-    shape = decay_length.of_front({"x": [0.0, 0.5]}, [], [])
-    assert shape["excess"] == [1, 0.2] and shape["l_0"] == {PRIMARY: 0.1}
 
 
 def test_choices_compare_medians_by_drawing_runs_again():
