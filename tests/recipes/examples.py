@@ -36,7 +36,6 @@ FAST_SLOW_FAST = Example({"event": WORDS}, {"event.fast_slow_fast": ([], [False]
 SLOW: dict = {"x_from": 0.07, "x_to": 0.098, "duration": 1e-3, "slowest": 9.68}
 SLOW["fast_before"] = C_S / 3
 FRONT: dict = {"type": "slow", "c_s": C_S, "L": L, "slow": SLOW}
-PAIR = {"x_arrest": 0.07, "L": L}
 SLIPS = {"fast_slip": 1.0, "slow_slip": 1.0, "slow_r_squared": 0.96, "slow_rms": 0.02}
 # A block that ruptures at 1 ms and slips 10 um until 1.1 ms, rests, and slips 20 um slowly.
 COURSE: dict = {"t_rupture": 1e-3, "t_arrest": 1.1e-3, "fast_slip": 1e-5, "slow_slip": 2e-5}
@@ -49,7 +48,6 @@ SIMPLIFIED: dict = {"type": "slow", "t_start": 1.0, "t_end": 2.0}
 SIMPLIFIED["slow"] = {"fast_before": 100.0, "speed": 10.0, "duration": 0.5e-3}
 GATHERING: dict = {"deviation": {"largest": 0.02}, "shown": {"near": 0.9}}
 GATHERING |= {"on_map": {"share": 0.71}, "over_events": {"share": 0.71}}
-LAW = {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}
 STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18]}
 SLOPES = {"r_squared_full": 0.95, "r_squared_simplified": 0.95, "difference": 0.2}
 SLOPES |= {"exponent_full": 1.0, "exponent_simplified": 1.0}
@@ -104,7 +102,7 @@ EXAMPLES = {
         },
     ),
     "1F": Example(
-        {"law": LAW},
+        {"law": {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}},
         {
             "law.deviation": ([], [1.1e-12]),
             "law.breaks_beyond_f_thres": ([], [False]),
@@ -147,7 +145,7 @@ EXAMPLES = {
         {"front_stopped.fast_slow_fast": ([], [False]), "front_stopped": ([], [None])},
     ),
     "3B": Example(
-        {"front_no_slow_slip": PAIR, "front": {"in_words": {"x_from": 0.07}}},
+        {"front_no_slow_slip": {"x_arrest": 0.07, "L": L}, "front": {"in_words": {"x_from": 0.07}}},
         {
             "front_no_slow_slip.x_arrest": ([0.0561, 0.0839], [0.0559, 0.0841, None]),
             "front.in_words.x_from": ([], [None]),

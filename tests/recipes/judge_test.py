@@ -37,10 +37,6 @@ GOOD, BAD = 3, 1
 LOW, HIGH = 0, 2
 
 
-def is_finite(bound):
-    return isfinite(as_number(bound))
-
-
 def run(*xs, **others):
     """A unit with cases of these x; under other ways to measure it has others."""
     listed = {way: {"cases": [{"x": x, "spans": True} for x in of]} for way, of in others.items()}
@@ -247,4 +243,4 @@ class TestTable:
             for condition in row["conditions"].values():
                 if isinstance(condition, dict):
                     assert condition and set(condition) <= set(RELATIONS)
-                    assert all(map(is_finite, condition.values()))
+                    assert all(isfinite(as_number(bound)) for bound in condition.values())
