@@ -1,7 +1,8 @@
-"""Chain files as they are read: their points, their commands, and what is wrong in a sentence with
-the file and the line (recipes/chains)."""
+"""Files of chains and sweeps as they are read: their points, their commands, and what is wrong in a
+sentence with the file and the line (recipes/chains)."""
 
 import json
+import re
 
 import pytest
 
@@ -274,10 +275,74 @@ def test_points_of_the_same_commands_and_base_are_one_which_a_figure_gets_twice(
     assert len({point.path for point in (*found, *files.read("z"))}) == 4
 
 
+# --- values and points ------------------------------------------------------------------------
+
+
+def values_in(points):
+    return ["".join(sum(point.values.items(), ())).replace(" ", "_") for point in points]
+
+
+PRODUCTS = [  # [values] and variants, and the points
+    ("a = 1, 2\nb = 3, 4", "a1b3 a1b4 a2b3 a2b4"),  # the last one varies fastest
+    ("c = sqrt({b})\nb = {a} ** 2 * 4\na = 1, 3", "c2b4a1 c6b36a3"),
+    ("a = -2\nb = {a} ** 2", "a-2b4"),
+    ("a = 2ms\nb = 0.3 * {a}", "a2msb0.0006"),
+    ("a = 4 kN/m\nb = {a} / 2", "a4_kN/mb2000"),
+    ("a = 1, 2  # both\n", "a1 a2"),
+    # variants replace common values
+    (
+        "a = 1\nb = 2\n[variant X]\na = 5, 6\n[variant Y]\nb = 7",
+        "variantXa5b2 variantXa6b2 variantYa1b7",
+    ),
+]
+
+
+@pytest.mark.parametrize("text, expected", PRODUCTS)
+def test_every_combination_is_a_point(files, text, expected):
+    files.write(x=f"[sweep]\n{RUN}[values]\n{text}")
+    assert values_in(files.read()) == expected.split()
+
+
+FOUR = "seed1a1b2 seed2a1b2 seed1a3b4 seed2a3b4"
+TABLES = [  # a table of points, and the points with two seeds
+    (b"a, b\n1, 2\n3,4\n", FOUR),
+    (b"\xef\xbb\xbfa,b\r\n1,2\r\n\r\n3,4\r\n", FOUR),
+    (  # of a sweep that has run
+        b"driving.V [mm/s],variant,status,v [m/s],type\n0.4,x,done,2,slow\n",
+        "seed1driving.V0.4mm/svariantx seed2driving.V0.4mm/svariantx",
+    ),
+]
+
+
+@pytest.mark.parametrize("content, expected", TABLES)
+def test_points_from_a_table(files, content, expected):
+    (files.folder / "../points.csv").write_bytes(content)
+    files.write(x=f"[sweep]\npoints = ../points.csv\n{RUN}[values]\nseed = 1, 2")
+    assert values_in(files.read()) == expected.split()
+
+
+@pytest.mark.parametrize(
+    "content, sentence",
+    [
+        (b"a,b\n0.1\n", "points.csv, line 2: it needs as many cells as the first line"),
+        (b"a,b\n0.1,1\n\n0.2,1,5\n", "points.csv, line 4: it needs as many cells"),
+        (b"a,a [m]\n0.1,1\n", "points.csv: each column needs a heading of its own"),
+        (b"a,\n0.1,1\n", "points.csv: each column needs a heading of its own"),
+        (b"a\n\xff\n", "points.csv is not a CSV table in UTF-8"),
+    ],
+)
+def test_wrong_tables_of_points(files, content, sentence):
+    (files.folder / "points.csv").write_bytes(content)
+    files.write(x=f"[sweep]\npoints = points.csv\n{RUN}")
+    with pytest.raises(UsageError, match=sentence):
+        files.read()
+
+
 def chain(keys):
     return f"[chain]\n{keys}\n{RUN}"
 
 
+WHOLE = f"[sweep]\n{RUN}"
 WRONG = [  # a file, and the sentence that follows its name
     (RUN.replace("prepare", "rm"), "line 2: there is no program 'rm'"),
     (RUN.replace("{values}", "{valus}"), "line 2: 'valus': there is no 'valus'; there are run"),
@@ -285,6 +350,7 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{RUN}y = load {{base}}", r"line 3: .*{base} needs base = FILE in \[chain\]"),
     (f"{RUN}y = load {{x", "line 3: .*a brace is missing"),
     (f"{RUN}y = load 'x", "line 3: .*cannot be split into words"),
+    (f"{RUN}y = load {{values.x}}", "line 3: 'values.x': there is no 'values'"),
     (f"{RUN}[values]\nx = {{y + 1}}", "line 4: 'y . 1': there is no 'y'; there are run, x"),
     (f"{RUN}y = script fit.py", "line 3: there is no script fit.py in a"),
     (f"{RUN}y = analyze front {{all above}}", "line 3: .*is for scripts"),
@@ -304,7 +370,32 @@ WRONG = [  # a file, and the sentence that follows its name
     (chain("keep = b.h5"), "line 2: no command writes b.h5"),
     (chain("keep = ../a.h5"), "line 2: '../a.h5' is not the name of a file"),
     ("[chain]\nlike = x.ini\n", "'like' leads back to the same file"),
+    # values
+    *((f"{WHOLE}[values]\na = {n}\n", "depend on itself") for n in ("{a}", "{a}.real")),
+    *(  # no finite real number
+        (f"{WHOLE}[values]\nb = 9\na = {text}", re.escape(f"'{text}' "))
+        for text in ("{z} + 1", "__import__('os') * {b}", "1 / 0 * {b}", "{b} +", "{b} + x")
+        + ("{b}**{b}**{b}**{b}", "sqrt({b} - 10)", "({b} - 10) ** 0.5", "{b} * 1e308 * 10")
+    ),
+    (f"{WHOLE}[values]\na = 1 to 1e5\nb = 1 to 1e5", "10,000,000,000 points; at most 100,000"),
+    # sections and lines
+    ("", "no section .commands."),
     ("x", "line 1: expected .SECTION. first"),
+    (f"{WHOLE}[values]\na\n", r"line 5: expected NAME = VALUE or .SECTION. \(got 'a'\)"),
+    (f"{WHOLE}[values]\na = 1\na = 2\n", "'a' in section 'values' already exists"),
+    (f"{WHOLE}[values]\n[values]\n", "section 'values' already exists"),
+    (f"{WHOLE}[DEFAULT]\na = 1\n", "no section 'DEFAULT'"),
+    # older forms
+    ("[sweep]\nprepare =\n[quantities]\na = b\n", "older form.*prepare = prepare {values} -o"),
+    ("[sweep]\nload = --until 1\n", "older form.*load = load --until 0.5 {values} -o"),
+    ("[sweep]\nbase = b.h5\nrestart = --for 1\n", "older form.*restart = restart {base}"),
+    (f"{WHOLE}[analyze]\nfront = --x 1\n", "older form.*front = analyze front record.h5"),
+    (f"{WHOLE}[table]\na = b.c\n", "'table' belongs to an older form.*.quantities."),
+    *(
+        (f"[sweep]\n{need}\n{RUN}", f"'{need}' is not understood: give a")
+        for need in ("memory = 10", "memory = 0 MB", "memory = 2 kg", "memory = .")
+        + ("threads = 0", "threads = 1.5")
+    ),
 ]
 
 
