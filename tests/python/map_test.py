@@ -15,9 +15,8 @@ from rupture.tools.map import LINE, Shown, draw_front_lines, slip_speed, spread
 
 
 def test_draws_all_or_an_event_or_a_time(small):
-    for number, choice in enumerate(
-        [(), ("--event", "first-spanning"), ("--from", "0.5ms", "--to", 1e-3)]
-    ):
+    choices = (), ("--event", "first-spanning"), ("--from", "0.5ms", "--to", 1e-3)
+    for number, choice in enumerate(choices):
         draws("map", "small-record.h5", "-o", f"map-{number}.png", *choice)
         with Image.open(f"map-{number}.png") as picture:
             assert (picture.format, picture.size) == ("PNG", (2000, 840))
@@ -31,10 +30,8 @@ def test_draws_several_in_rows_and_says_where_they_come_from(small):
     checksum = small.record.checksum
     with Image.open("two.png") as picture:
         assert picture.size == (2000, 1400)
-        command, *files = picture.text["Description"].splitlines()
-    assert (
-        command == "rupture map small-record.h5 small-record.h5 -o two.png --event first-spanning"
-    )
+        typed, *files = picture.text["Description"].splitlines()
+    assert typed == "rupture map small-record.h5 small-record.h5 -o two.png --event first-spanning"
     assert files == 2 * [f"small-record.h5: content-sha256 {checksum}"]
     assert b"/Subject (rupture map small-record.h5 small" in Path("two.pdf").read_bytes()
 
@@ -46,9 +43,8 @@ def test_the_white_line_is_where_blocks_rupture_first():
     for line, found in ((True, {0.7}), (False, set())):
         axes = plotting.pyplot_without_window().subplots()[1]
         plotting.draw_pinned(axes, record, 0.0, (0, 4), line)
-        corners = [
-            c for drawn in axes.collections[1:] for p in drawn.get_paths() for c in p.vertices
-        ]
+        paths = [path for drawn in axes.collections[1:] for path in drawn.get_paths()]
+        corners = [corner for path in paths for corner in path.vertices]
         assert {round(time, 3) for x, time in corners if x == 0} == found
 
 

@@ -71,9 +71,8 @@ def test_the_driving_stops_in_the_middle_of_the_slow_stretch(chain, stretch):
     text = Chain(ROOT / f"recipes/{chain}.ini").sections["values"]["amid"]
     name, key = stretch.split(".")
     times = {"t_from": 1.0, "t_to": 2.0}
-    assert Expression(text[1:-1], [name]).value({name: {key: times}}.__getitem__) == middle_of(
-        times
-    )
+    found = Expression(text[1:-1], [name]).value({name: {key: times}}.__getitem__)
+    assert found == middle_of(times)
 
 
 def test_events_branch_where_the_convention_says():

@@ -236,9 +236,8 @@ def test_values_from_reports_of_other_points_are_options(files):
     values = "tau-bar = {e.t}\nseed = 3\nlater = {x.p[0]}\n"
     above = ABOVE.replace("[values]\nseed = 1, 2\n", "")
     run = "[commands]\nrun = prepare {values} -o a.h5\nx = analyze stress a.h5\n"
-    files.write(
-        above=above, x=f"[chain]\npoints = e in above: events.list\n{run}[values]\n{values}"
-    )
+    files.write(above=above)
+    files.write(x=f"[chain]\npoints = e in above: events.list\n{run}[values]\n{values}")
     files.has_run("above", EVENTS[0])
     assert [point.commands["run"] for point in files.read()] == [
         "prepare --tau-bar 0.25 --seed 3 -o a.h5",

@@ -122,9 +122,7 @@ class TestSeeds:
             "out of order": [SLOW, ARRESTED, FAST],
             "out of order too": [FAST, SLOW, ARRESTED],
         }
-        maps = {
-            name: {(t / 10, 0.0): {1: f} for t, f in enumerate(of)} for name, of in rows.items()
-        }
+        maps = {n: {(t / 10, 0.0): {1: f} for t, f in enumerate(of)} for n, of in rows.items()}
         for names, primary, other in (
             (["all"], (3, 0), (2, 0)),
             (["all", "two"], (2, 0), (2, 0)),

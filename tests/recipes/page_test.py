@@ -168,10 +168,8 @@ def test_lists_every_judged_claim_in_order(page):
 def test_orders_recipes_as_the_paper_does_each_with_its_picture(page):
     names = re.findall(r'<section id="([^"]+)"', page)
     assert names == ["gallery", *RECIPES, "claims", "numbers", "verdicts", "build"]
-    cards = re.findall(
-        r'<a class="card" href="#(\w+)">\s*<span class="crop"><img src="([^"]+)"', page
-    )
-    assert cards == [(name, f"{name}/{name}.png") for name in RECIPES]
+    card = r'<a class="card" href="#(\w+)">\s*<span class="crop"><img src="([^"]+)"'
+    assert re.findall(card, page) == [(name, f"{name}/{name}.png") for name in RECIPES]
 
 
 def test_leaves_out_what_was_not_run_and_what_belongs_elsewhere(page):
@@ -235,9 +233,7 @@ def names_in(path):
     """A pattern for each text in Python that may name a quantity; what is inserted may be all."""
     found = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        parts: list[ast.AST] = (
-            [*getattr(node, "values", [])] if isinstance(node, ast.JoinedStr) else [node]
-        )
+        parts: list = node.values if isinstance(node, ast.JoinedStr) else [node]
         texts = [part.value if isinstance(part, ast.Constant) else None for part in parts]
         if any(isinstance(text, str) and re.search("[a-z]{2}|R", text) for text in texts):
             found.add("".join(".+" if text is None else re.escape(str(text)) for text in texts))
@@ -248,8 +244,8 @@ def names_in(path):
 def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recipe):
     if recipe == "README":
         text, scripts = readme.SENTENCES, [*(ROOT / "recipes").rglob("*.py")]
-        known, own = table(), {"choices", "precursors", "findings", "checks", "first", "numbers"}
-        ids = {*known, *own}
+        known = table()
+        ids = {*known, "choices", "precursors", "findings", "checks", "first", "numbers"}
     else:
         folder, known = ROOT / "recipes" / recipe, table(paper_of(recipe))
         text = (folder / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]
@@ -263,9 +259,7 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
         quantity = " ".join(quantity.split())
         if claim in known:
             row = known[claim]
-            shown = (
-                [""] if isinstance(row["shown"], str) else [f"{name}: " for name in row["shown"]]
-            )
+            shown = [""] if isinstance(row["shown"], str) else [f"{n}: " for n in row["shown"]]
             measured = [f"{name}{of}" for name in shown for of in row["measured"]]
             assert quantity in (*measured, *row.get("counts", ()), "holds", "units")
             continue

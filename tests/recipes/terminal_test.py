@@ -68,6 +68,5 @@ def test_a_case_is_no_verdict(tmp_path, capsys):
     write_claims(folder / "claims.json", CLAIMS, builds=[(BUILD, 2)])
     spill(tmp_path / "docs/verdicts.csv", TABLE)
     print_claims("fig3", tmp_path, tmp_path)
-    assert capsys.readouterr().out == TEXT.format(
-        folder=folder, command="./reproduce.sh ensemble fig3"
-    )
+    command = "./reproduce.sh ensemble fig3"
+    assert capsys.readouterr().out == TEXT.format(folder=folder, command=command)
