@@ -83,19 +83,16 @@ class Project:
 
     def make_recipes(self):
         for name in {row["recipe"] for row in table().values()} | {"fig10"}:
-            self.make_recipe(name)
-
-    def make_recipe(self, name):
-        spill(self.root / f"recipes/{name}/figure.ini", "")
-        spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
-        claims = [result(claim) for claim in JUDGED if table()[claim]["recipe"] == name]
-        if claims:
-            results = self.results / name
-            spill(results / "claims.json", json.dumps(results_of(claims)))
-            spill(results / f"{name}.png", png(210, 80))
-            spill(results / f".{name}.tmp.01234567.png", "half")
-            spill(results / f"{name}.pdf", "%PDF")
-            spill(results / "front.csv", "x\n")
+            spill(self.root / f"recipes/{name}/figure.ini", "")
+            spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
+            claims = [result(claim) for claim in JUDGED if table()[claim]["recipe"] == name]
+            if claims:
+                results = self.results / name
+                spill(results / "claims.json", json.dumps(results_of(claims)))
+                spill(results / f"{name}.png", png(210, 80))
+                spill(results / f".{name}.tmp.01234567.png", "half")
+                spill(results / f"{name}.pdf", "%PDF")
+                spill(results / "front.csv", "x\n")
 
     def account(self, outputs, rule, inputs, started, seconds):
         """The line that is noted about a job."""

@@ -80,12 +80,11 @@ class TestFronts:
         assert slow_fronts.without_near_arrest(rows) == rows[1:]
 
 
-def run(variant, estimate, speed):
-    """A front of claim 3C-inset."""
-    return {"variant": variant, "estimate [m/s]": estimate, "slow slip [m/s]": speed}
-
-
-SET = [run(name, x, 0.9 * x) for name in ("t_R", "tau_slip", "k_i") for x in (1e-3, 2e-3)]
+SET = [  # fronts of claim 3C-inset
+    {"variant": name, "estimate [m/s]": x, "slow slip [m/s]": 0.9 * x}
+    for name in ("t_R", "tau_slip", "k_i")
+    for x in (1e-3, 2e-3)
+]
 
 
 class TestSlowSlip:
