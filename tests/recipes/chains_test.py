@@ -99,7 +99,8 @@ def matches(call, other):
 
 @fixture(scope="module", name="calls")
 def all_calls():
-    chains, found = Chains(), {}
+    chains = Chains()
+    found: dict = {}
     for path in (ROOT / "recipes").rglob("*.ini"):
         lines = commands_of(chains, path) if path.name != "figure.ini" else ()
         calls = (parse(words) for line in lines for words in calls_in(line))

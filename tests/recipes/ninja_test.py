@@ -158,7 +158,7 @@ def test_words_compute_nothing_and_describe_the_results_anew(tiny):
     assert tiny.computed() == [] and tiny.crate().stat().st_mtime_ns > before
 
 
-BEHIND = ("bin/prepare", "recipes/*/runs.ini", "python/rupture/units.py", "checkpoints/*.h5")
+BEHIND: tuple = ("bin/prepare", "recipes/*/runs.ini", "python/rupture/units.py", "checkpoints/*.h5")
 BEHIND += ("results/data/points/*.json", "results/data/points/*.h5", "results/tiny/*.png")
 
 

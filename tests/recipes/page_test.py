@@ -233,7 +233,7 @@ def names_in(path):
     """A pattern for each text in Python that may name a quantity; what is inserted may be all."""
     found = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        parts: list = node.values if isinstance(node, ast.JoinedStr) else [node]
+        parts: list[ast.AST] = [*node.values] if isinstance(node, ast.JoinedStr) else [node]
         texts = [part.value if isinstance(part, ast.Constant) else None for part in parts]
         if any(isinstance(text, str) and re.search("[a-z]{2}|R", text) for text in texts):
             found.add("".join(".+" if text is None else re.escape(str(text)) for text in texts))
