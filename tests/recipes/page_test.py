@@ -127,8 +127,8 @@ def test_the_readme_is_updated_if_every_row_is_judged(project):
     update.assert_called_once()
 
 
-@pytest.fixture(name="whole", scope="module")
-def project_with_accounts(tmp_path_factory):
+@pytest.fixture(name="page", scope="module")
+def page_with_accounts(tmp_path_factory):
     project = Project(tmp_path_factory.mktemp("whole"))
     project.make_recipes()
     project.make_accounts()
@@ -136,13 +136,7 @@ def project_with_accounts(tmp_path_factory):
     idle = run | {"started": int(START) + 1000, "seconds": 4}
     spill(project.results / "runs.jsonl", f"{json.dumps(run)}\n{json.dumps(idle)}\n")
     spill(project.results / "fig2/own.json", json.dumps([OWN, EXPECTED]))
-    page_of(project)
-    return project
-
-
-@pytest.fixture(scope="module")
-def page(whole):
-    return whole.page.read_text(encoding="utf-8")
+    return page_of(project)
 
 
 @pytest.mark.parametrize("name, text", SAYS)

@@ -3,8 +3,6 @@
 
 import json
 
-from pytest import fixture
-
 import front_speed
 import slow_fronts
 import slow_slip
@@ -44,26 +42,15 @@ class TestFit:
 
 
 class TestFronts:
-    @fixture(name="points_of")
-    def made_up_points(self, tmp_path):
-        def points_of(*results):
-            """Points: the seed of each, and its reports."""
-            paths = [tmp_path / f"{number}.json" for number in range(len(results))]
-            for path, (_, reports) in zip(paths, results):
-                found = {"status": "done", "sentence": "", "reports": reports, "checksums": {}}
-                path.write_text(json.dumps(found))
-            return [
-                Result("", [{"values": {"numerics.seed": str(seed)}, "path": path} | NOTHING_ELSE])
-                for path, (seed, _) in zip(paths, results)
-            ]
-
-        return points_of
-
-    def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self, points_of):
+    def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self, tmp_path):
         slow, fast = ({"type": kind} | slips() for kind in ("slow", "fast"))
-        points = points_of(
-            (1, {"slow_slip": slow, "two_t_R": slips(blocks=4)}), (1, {}), (1, {"slow_slip": fast})
-        )
+        points = []
+        for reports in ({"slow_slip": slow, "two_t_R": slips(blocks=4)}, {}, {"slow_slip": fast}):
+            found = {"status": "done", "sentence": "", "reports": reports, "checksums": {}}
+            path = tmp_path / f"{len(points)}.json"
+            path.write_text(json.dumps(found))
+            element = {"values": {"numerics.seed": "1"}, "path": path} | NOTHING_ELSE
+            points.append(Result("", [element]))
         (front,) = slow_fronts.fronts(points)
         assert front["slow slip [m/s]"] == 1e-3
         assert slow_fronts.fronts(points, slow_fronts.FOR_TWO_T_R) == []
