@@ -1,6 +1,6 @@
 """Maps of front types (measure/front_map.py, map_order.py) and shares of pairs (pairs.py)."""
 
-from pytest import raises
+from pytest import mark, raises
 
 from conftest import approx
 from measure.pairs import share_of_lower
@@ -38,69 +38,58 @@ class TestReadMap:
         (seeds,) = self.read({"front": {"type": "slow"}}).values()
         assert front_type(seeds[1]) == "slow"
 
-    def test_the_type_none_of_analyze_counts_as_arrested(self):
-        kinds = ("arrested", "slow", "fast", "", "none")
-        assert [*map(front_map.type_on_map, kinds)] == [*kinds[:-1], "arrested"]
+
+# tau_bar_0 upwards, sigma_bar to the right:  slow     fast
+#                                             arrested slow
+GRID = {(0.1, 0.0): "arrested", (0.1, 0.2): "slow", (0.2, 0.0): "slow", (0.2, 0.2): "fast"}
+SLOW_FROM = {(0.0, 0.0): "arrested", (0.1, 0.0): "slow"}
+FAST_FROM = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast"}
+SLOW_BETWEEN = {(0.05, 0.0): "slow"}
+BACK = {(0.0, 0.0): "arrested", (0.1, 0.0): "slow", (0.2, 0.0): "slow"}
+BACK |= {(0.0, 0.1): "slow", (0.1, 0.1): "impossible", (0.2, 0.1): "arrested"}
+SEEDS = {(0.0, 0.0): {1: SLOW}, (0.1, 0.0): {1: SLOW, 2: FAST}}
+below_left = front_map.fast_below_left_of_arrested
+MAPS = [  # a function, its arguments, and what it finds
+    # The type `none` of analyze counts as arrested.
+    *((front_map.type_on_map, [kind], kind) for kind in ("arrested", "slow", "fast", "")),
+    (front_map.type_on_map, ["none"], "arrested"),
+    # Only the edge of the fast region is refined, without rounding noise.
+    (front_map.to_refine, [GRID], [(0.15, 0.2), (0.2, 0.1)]),
+    # Nothing changes towards what cannot be prepared.
+    (front_map.changes, [{(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}], []),
+    # The place halfway decides which neighbour is at the boundary; a third type makes two.
+    (front_map.boundary, [SLOW_FROM], [(0.0, 0.0), (0.1, 0.0)]),
+    (front_map.boundary, [SLOW_FROM, SLOW_BETWEEN], [(0.0, 0.0), (0.05, 0.0)]),
+    (front_map.boundary, [FAST_FROM, SLOW_BETWEEN], [(0.0, 0.0), (0.05, 0.0), (0.1, 0.0)]),
+    # A fast seed below left of an arrested one, also of the same place, is out of order.
+    (below_left, [{(0, 1): {1: "slow", 2: "fast"}, (1, 1): {1: "arrested"}}], [((0, 1), (1, 1))]),
+    (below_left, [{(0, 0): {1: "fast", 2: "arrested"}}], [((0, 0), (0, 0))]),
+    (below_left, [{(0, 2): {1: "fast"}, (1, 1): {1: "arrested"}}], []),  # at wider phi
+    (out_of_order, [{(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}], {(0.0, 0.0)}),
+    # A step back is seen along tau_bar_0.
+    (front_map.steps_back, [BACK], {(0.2, 0.1)}),
+    (front_map.steps_back, [BACK | {(0.2, 0.0): "arrested"}], {(0.2, 0.0), (0.2, 0.1)}),
+    # A map has its own fronts or those of the first seed.
+    (front_map.map_of_seed, [SEEDS, 2], {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}}),
+    # The share counts pairs of equal strata only.
+    (share_of_lower, [[([1.0], [2.0]), ([5.0], [6.0])]], 1.0),
+    (share_of_lower, [[([1.0, 2.0], [1.5, 2.0])]], 0.625),
+    (share_of_lower, [[([1.0], [])]], None),
+]
 
 
-class TestBoundary:
-    # tau_bar_0 upwards, sigma_bar to the right:  slow     fast
-    #                                             arrested slow
-    GRID = {(0.1, 0.0): "arrested", (0.1, 0.2): "slow", (0.2, 0.0): "slow", (0.2, 0.2): "fast"}
+@mark.parametrize("function, arguments, found", MAPS)
+def test_what_is_found_on_maps_and_in_pairs(function, arguments, found):
+    assert function(*arguments) == found
 
-    def test_only_the_edge_of_the_fast_region_is_refined_without_rounding_noise(self):
-        assert front_map.to_refine(self.GRID) == [(0.15, 0.2), (0.2, 0.1)]
 
-    def test_nothing_changes_towards_what_cannot_be_prepared(self):
-        assert front_map.changes({(0.0, 0.0): "fast", (0.1, 0.0): "impossible"}) == []
-
-    def test_the_place_halfway_decides_which_neighbour_is_at_the_boundary(self):
-        pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "slow"}
-        assert front_map.boundary(pair) == [(0.0, 0.0), (0.1, 0.0)]
-        assert front_map.boundary(pair, {(0.05, 0.0): "slow"}) == [(0.0, 0.0), (0.05, 0.0)]
-
-    def test_a_third_type_halfway_makes_two_boundaries(self):
-        pair = {(0.0, 0.0): "arrested", (0.1, 0.0): "fast"}
-        assert len(front_map.boundary(pair, {(0.05, 0.0): "slow"})) == 3
-
+class TestSeveralMaps:
     def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
         maps = [
             {(n / 10, 0.0): {1: front} for n, front in enumerate(fronts, 1)}
             for fronts in ([SLOW, FAST, FAST], [FAST, FAST, FAST])
         ]
         assert boundary_of_variants(maps) == [(0.1, 0.0), (0.2, 0.0)]
-
-
-class TestOrder:
-    def test_a_fast_seed_below_left_of_an_arrested_one_is_found(self):
-        seeds = {(0.0, 0.1): {1: "slow", 2: "fast"}, (0.1, 0.1): {1: "arrested"}}
-        assert front_map.fast_below_left_of_arrested(seeds) == [((0.0, 0.1), (0.1, 0.1))]
-
-    def test_seeds_of_one_place_count(self):
-        assert front_map.fast_below_left_of_arrested({(0.0, 0.0): {1: "fast", 2: "arrested"}})
-
-    def test_a_fast_point_at_wider_phi_is_in_order(self):
-        seeds = {(0.0, 0.2): {1: "fast"}, (0.1, 0.1): {1: "arrested"}}
-        assert front_map.fast_below_left_of_arrested(seeds) == []
-
-    def test_a_step_back_is_seen_along_tau_bar_0(self):
-        types = {
-            **{(0.0, 0.0): "arrested", (0.1, 0.0): "slow", (0.2, 0.0): "slow"},
-            **{(0.0, 0.1): "slow", (0.1, 0.1): "impossible", (0.2, 0.1): "arrested"},
-        }
-        assert front_map.steps_back(types) == {(0.2, 0.1)}
-        types[0.2, 0.0] = "arrested"
-        assert front_map.steps_back(types) == {(0.2, 0.0), (0.2, 0.1)}
-
-
-class TestSeeds:
-    def test_a_map_has_its_own_fronts_or_those_of_the_first_seed(self):
-        fronts = {(0.0, 0.0): {1: SLOW}, (0.1, 0.0): {1: SLOW, 2: FAST}}
-        assert front_map.map_of_seed(fronts, 2) == {(0.0, 0.0): {2: SLOW}, (0.1, 0.0): {2: FAST}}
-
-    def test_no_fast_place_may_be_below_left_of_an_arrested_one(self):
-        fronts = {(0.0, 0.0): {1: FAST}, (0.1, 0.1): {1: ARRESTED}}
-        assert out_of_order(fronts) == {(0.0, 0.0)}
 
     def test_other_seeds_of_variants_are_on_their_maps(self, monkeypatch):
         def point(tau_bar, kind, seed):
@@ -151,10 +140,3 @@ class TestOrderInWords:
         places = [(tau, sigma) for tau in (0.1, 0.2, 0.3) for sigma in (0, 1, 2)]
         types = {place: "slow" if slow.get(place) else "fast" for place in places}
         assert front_map.slow_range(types) == approx(0.1)  # of 0.2, 0.1 and 0
-
-
-class TestPairs:
-    def test_the_share_counts_pairs_of_equal_strata_only(self):
-        assert share_of_lower([([1.0], [2.0]), ([5.0], [6.0])]) == 1.0
-        assert share_of_lower([([1.0, 2.0], [1.5, 2.0])]) == 0.625
-        assert share_of_lower([([1.0], [])]) is None
