@@ -3,7 +3,7 @@ all made up."""
 
 from itertools import product
 
-from pytest import fixture, mark
+from pytest import mark
 
 import continuum
 import edge
@@ -25,28 +25,20 @@ class TestBisection:
         assert len(asked) <= 7  # 2^7 > 100
         assert edges.first(lambda number: True, 0, 100) == 1
 
-    @fixture(name="interfaces")
-    def made_up_interfaces(self, monkeypatch):
-        """Arrested below 0.05, slow below 0.1 and, at the other thresholds, below 0.12 or 0.35."""
+    def test_an_edge_is_halfway_to_the_first_front_of_a_type(self, monkeypatch):
+        """Arrested below 0.05, slow below 0.1 and, at the other thresholds, below 0.12 or 0.35:
+        beyond where edges are sought first."""
+        fast = {PRIMARY: 0.1, "c_s/10": 0.12, "c_s/5": 0.35}
 
         def kinds(_, steps):
-            fast = {PRIMARY: 0.1, "c_s/10": 0.12, "c_s/5": 0.35}
-            bounds = {way: (0.05, bound) for way, bound in fast.items()}
             tau = steps * edges.STEP
-            return {way: edges.TYPES[sum(tau >= b for b in of)] for way, of in bounds.items()}
+            return {way: edges.TYPES[(tau >= 0.05) + (tau >= x)] for way, x in fast.items()}
 
         monkeypatch.setattr(edges.Interfaces, "kinds", kinds)
-        return edges.Interfaces([])
-
-    def test_an_edge_is_halfway_to_the_first_front_of_a_type(self, interfaces):
-        for kind, way, expected in (
-            ("slow", PRIMARY, 0.05),
-            ("fast", PRIMARY, 0.1),
-            ("fast", "c_s/10", 0.12),
-            ("fast", "c_s/5", 0.35),  # beyond where edges are sought first
-        ):
-            for near in (None, 0.02, expected, 0.2):
-                assert interfaces.edge(kind, near, way) == approx(expected - edges.STEP / 2)
+        interfaces = edges.Interfaces([])
+        for kind, way, x in (("slow", PRIMARY, 0.05), *(("fast", *one) for one in fast.items())):
+            for near in (None, 0.02, x, 0.2):
+                assert interfaces.edge(kind, near, way) == approx(x - edges.STEP / 2)
 
 
 class TestClaim:
