@@ -19,17 +19,15 @@ OF_UNITS: dict = {"unit": "run", "each": "case in units: of.cases", "ways": True
 OF_UNITS["with"] = {"x": "case.x"}
 OF_UNITS |= {"in_picture": {"x": "x_shown"}, "among": {"spanning events": "case.spans"}}
 OF_UNITS |= {"counts": {"with more": "x > 2", "that it holds for": "holds"}}
+OF_EACH: dict = {"each": "units", "with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}}
 ROWS: dict[str, dict] = {
     "all": {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
     "one": {"conditions": {"x": {"above": 2}}} | OF_UNITS,
     "alone": {"conditions": {"x": {"below": 1}}},
     "two": {"conditions": {"x": {"below": 1}}, "with": {"x": "first"}} | OTHER,
-    "any": {"conditions": {"x": {"below": 1}}, "each": "units", "if": "x is not None", "ways": True}
-    | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
-    "state": {"conditions": {"x": {"below": 1}}, "unit": "seed", "each": "units", "ways": True}
-    | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
-    "events": {"conditions": {"x": {"below": 1}}, "unit": "event", "each": "units", "if": "known"}
-    | {"with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}},
+    "any": {"conditions": {"x": {"below": 1}}, "if": "x is not None", "ways": True} | OF_EACH,
+    "state": {"conditions": {"x": {"below": 1}}, "unit": "seed", "ways": True} | OF_EACH,
+    "events": {"conditions": {"x": {"below": 1}}, "unit": "event", "if": "known"} | OF_EACH,
     "unstated": {"conditions": {}},
 }
 MADE_UP = {name: ROW | row | {"id": name} for name, row in ROWS.items()}

@@ -38,6 +38,7 @@ BY_EYE = {
     "4AB": ["0.8456 1.0041 1.0839 1.1616", "0.4202 0.6350 0.7944 0.9534 1.1908"]
     + ["0.7978 0.9530 1.0310 1.1876"],
 }
+OF_RUNS = ("2A", "2A-numbers", "2B", "2C")  # the units of these are runs, of others events
 COUNTED = {"2A": ["3 of 3"], "3B": ["14 of 16"]}  # what the rows count beside
 
 
@@ -60,12 +61,7 @@ def test_the_events_of_three_runs_that_meet_a_claim_are_those_counted_by_eye(cla
     read = " ".join(BY_EYE[claim_id]).split()
     assert [f"{names.value('event.t_start'):.4f}" for names in met] == read
     assert [*judge.counted(row, chains).values()] == COUNTED.get(claim_id, [])
-
-
-def test_each_share_of_these_runs_is_what_the_table_counts(chains):
-    shares = {name: judge.shares_of(judge.table()[name], chains)[0] for name in BY_EYE}
-    units = {"2A": 3, "2A-numbers": 3, "2B": 3, "2C": 3}  # runs; the others: events
-    for name, share in shares.items():
-        counts = [len(starts.split()) for starts in BY_EYE[name]]  # of events in each run
-        held = sum(map(bool, counts)) if name in units else sum(counts)
-        assert (share.holds, share.units) == (held, units.get(name, 16))
+    counts = [len(starts.split()) for starts in BY_EYE[claim_id]]  # of each run
+    expected = (sum(map(bool, counts)), 3) if claim_id in OF_RUNS else (sum(counts), 16)
+    share = judge.shares_of(row, chains)[0]
+    assert (share.holds, share.units) == expected
