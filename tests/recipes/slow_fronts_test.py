@@ -44,7 +44,7 @@ class TestFit:
 class TestFronts:
     def test_fronts_count_that_slow_down_with_five_blocks_in_the_window(self, tmp_path):
         slow, fast = ({"type": kind} | slips() for kind in ("slow", "fast"))
-        points = []
+        points: list[Result] = []
         for reports in ({"slow_slip": slow, "two_t_R": slips(blocks=4)}, {}, {"slow_slip": fast}):
             found = {"status": "done", "sentence": "", "reports": reports, "checksums": {}}
             path = tmp_path / f"{len(points)}.json"
