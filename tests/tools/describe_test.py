@@ -132,36 +132,6 @@ def test_parameters_are_those_of_a_file():
     assert isinstance(in_file["driving.V"], float) and isinstance(in_file["slider.Nx"], int)
 
 
-def test_a_number_and_a_choice_of_words_in_full():
-    assert (
-        output_of("parameters junctions.t_R junctions.f_new slider.Nx")
-        == """junctions.t_R
-  mean slipping time
-  symbol   t_R
-  unit     s
-  default  0.002
-  value    above 0 and at most 1000
-  laws     reference, simplified, decaying
-
-junctions.f_new
-  force of a newly pinned junction; f_slip switches slow slip off
-  symbol   f_new
-  default  zero
-  value    zero or f_slip
-  laws     reference, distance
-
-slider.Nx
-  number of blocks along x
-  symbol   N_x
-  unit     1
-  default  57
-  value    3 to 65536
-  laws     reference, simplified, decaying, distance
-  restart  cannot change it
-"""
-    )
-
-
 def test_a_restart_keeps_what_the_row_says():
     output_of("load --config small.ini -o a.h5")
     was = json_of("analyze show a.h5 --json")["parameters"]
