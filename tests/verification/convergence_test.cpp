@@ -10,8 +10,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 /// Driven at 0.1 m/s with junctions that cannot break, in time steps of dt.
 Parameters unbroken(Parameters p, double dt) {
@@ -64,7 +63,7 @@ void expect_order(const Run& run, double order, double tolerance) {
 }
 
 TEST(VelocityVerlet, is_of_second_order_without_damping_and_of_first_order_with_it) {
-  Parameters p = testing::small_slider(9, 5);
+  Parameters p = small_slider(9, 5);
   const auto run = [&](double dt) { return slider_after_80_us(p, dt); };
   expect_order(run, 1.0, 0.05);
   p.damping = 0.0;
@@ -73,5 +72,4 @@ TEST(VelocityVerlet, is_of_second_order_without_damping_and_of_first_order_with_
   expect_order(after_other_steps, 2.0, 0.02);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -11,11 +11,7 @@
 #include "support/files.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::kAllLaws;
-using testing::quick_slider;
+namespace rupture::testing {
 
 struct Split {
   std::string name;
@@ -48,7 +44,7 @@ class RunSplit : public ::testing::TestWithParam<std::tuple<Law, Split>> {
 TEST_P(RunSplit, by_a_checkpoint_file_gives_the_bits_of_one_run) {
   const std::int64_t N = whole_.state().step;
   const std::size_t ruptures = whole_.ruptures().size();
-  const testing::Folder folder;
+  const Folder folder;
   write_checkpoint(folder.file("split.h5"), {p_, whole_.state(), {}}, IfExists::refuse);
   const Checkpoint checkpoint = read_checkpoint(folder.file("split.h5"));
   Simulation second(checkpoint.parameters, checkpoint.state);
@@ -68,14 +64,14 @@ INSTANTIATE_TEST_SUITE_P(AtRupture, RunSplit,
                                                               Split{"during", 4, 0},
                                                               Split{"after", 9, 2500})),
                          [](const auto& run) {
-                           return testing::law_name(std::get<Law>(run.param)) + "_" +
+                           return law_name(std::get<Law>(run.param)) + "_" +
                                   std::get<Split>(run.param).name;
                          });
 
 class DeterminismOf : public ::testing::TestWithParam<Law> {};
 
 INSTANTIATE_TEST_SUITE_P(Law, DeterminismOf, ::testing::ValuesIn(kAllLaws),
-                         [](const auto& law) { return testing::law_name(law.param); });
+                         [](const auto& law) { return law_name(law.param); });
 
 TEST_P(DeterminismOf, any_number_of_threads_gives_the_same_bits_through_a_rupture) {
   const Parameters p = quick_slider(GetParam());
@@ -110,5 +106,4 @@ TEST(Determinism, another_seed_gives_another_run_once_junctions_break) {
   EXPECT_NE(final_u(2500), after);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -13,13 +13,9 @@
 
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 using std::numbers::pi;
-using testing::free_plate;
-using testing::lifted;
-using testing::small_slider;
 
 double lattice_density(const Parameters& p) {
   return block_mass(p) / (block_spacing(p) * block_spacing(p) * p.B);
@@ -148,5 +144,4 @@ TEST(StaticStretch, SLOW_has_poisson_ratio_one_third_and_youngs_modulus_E) {
   EXPECT_NEAR(strain_x, 1e-6, 1e-6 * 1e-5);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

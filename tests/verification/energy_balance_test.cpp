@@ -18,11 +18,10 @@
 #include "rupture/model/normal_contact.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 Parameters soon_pinned_slider(Law law = Law::reference) {
-  Parameters p = testing::quick_slider();  // ruptures after 0.3 ms
+  Parameters p = quick_slider();  // ruptures after 0.3 ms
   p.law = law;
   p.t_R = 0.3e-3;  // short slipping times, so that junctions are pinned again
   p.delta_t_R = 0.1e-3;
@@ -51,16 +50,16 @@ const Case kCases[] = {
     {"driven_simplified", soon_pinned_slider(Law::simplified), 1e-3, 0.0, 0},
     {"driven_decaying", soon_pinned_slider(Law::decaying), 1e-3, 0.0, kAll},
     {"driven_distance", soon_pinned_slider(Law::distance), 1e-3, 0.0, kAll},
-    {"driven_other_bulk", testing::with_other_bulk(soon_pinned_slider()), 1e-3, 0.0, kAll},
+    {"driven_other_bulk", with_other_bulk(soon_pinned_slider()), 1e-3, 0.0, kAll},
     // 160 N on a slider that bears 121 N, and 8 N
     {"pulled_through_rupture", stopped(soon_pinned_slider()), 0.3e-3, 40e-6, kAll, 0.0},
     {"pulled_sticking", stopped(soon_pinned_slider()), 0.3e-3, 2e-6, 0, 0.0},
     // no point moves and the load's work is small: what the event dissipates comes from the springs
-    {"event_on_a_prepared_interface", testing::prepared_slider(), 0.3e-3, 0.0, kAll, 0.0},
+    {"event_on_a_prepared_interface", prepared_slider(), 0.3e-3, 0.0, kAll, 0.0},
 };
 
 State at_start(const Parameters& p, double pull) {
-  if (p.support == Support::ceiling) return prepared_state(p, testing::quick_prestress());
+  if (p.support == Support::ceiling) return prepared_state(p, quick_prestress());
   State state = normal_load_equilibrium(p);
   state.drive.origin_position += pull;
   state.f_x(0, driving_row(p)) += p.K * pull;  // which its block must feel from the start
@@ -151,5 +150,4 @@ TEST(EnergyBalance, compares_the_error_with_the_largest_term) {
   EXPECT_EQ(energy_balance(before, before, {}).relative_error(), 0.0);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

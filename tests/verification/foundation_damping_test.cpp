@@ -6,8 +6,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 constexpr double v_0 = 4e-4;  // [m/s]
 
@@ -21,7 +20,7 @@ double oscillator(const Parameters& p, double t) {
 
 TEST(FoundationDamping, lets_a_slider_swing_out_as_a_damped_oscillator) {
   // On a foundation 10,000 times softer than the bulk it moves as a whole; always pressed.
-  Parameters p = testing::small_slider(9, 5);
+  Parameters p = small_slider(9, 5);
   p.K = p.V = 0.0;
   p.F_N = 9e-3;
   p.foundation = 1e-4;
@@ -41,7 +40,7 @@ TEST(FoundationDamping, lets_a_slider_swing_out_as_a_damped_oscillator) {
 }
 
 TEST(FoundationDamping, never_pulls_and_leaves_a_block_without_contact_alone) {
-  Parameters p = testing::free_plate(9, 5);
+  Parameters p = free_plate(9, 5);
   p.foundation_damping = 1.0;
   for (const double u_z : {1e-3, -1e-6}) {  // in the air, and pressed, with p < eta_f v
     State start(p);
@@ -53,5 +52,4 @@ TEST(FoundationDamping, never_pulls_and_leaves_a_block_without_contact_alone) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -5,8 +5,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 using Row = Eigen::ArrayXd;  // one number for each block of a row
 
@@ -36,7 +35,7 @@ class AtRest : public ::testing::TestWithParam<Support> {
   }
 
   const bool is_prepared_ = GetParam() == Support::ceiling;
-  Parameters p_ = testing::small_slider(13, 7);
+  Parameters p_ = small_slider(13, 7);
   State state_;
   double F_T_ = 0;          // [N]
   Row bottom_, tau_, top_;  // forces on the blocks [N]
@@ -69,5 +68,4 @@ TEST_P(AtRest, moments_of_all_forces_about_the_track_balance_at_the_displaced_po
   EXPECT_NEAR(moment, 0.0, 1e-12 * p_.F_N * p_.L);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -5,8 +5,7 @@
 
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 Parameters twice_as_large(Parameters p) {
   for (double* length : {&p.L, &p.H, &p.B, &p.h}) *length *= 2;
@@ -20,11 +19,11 @@ Parameters twice_as_large(Parameters p) {
 
 class Scaling : public ::testing::TestWithParam<Law> {};
 
-INSTANTIATE_TEST_SUITE_P(Law, Scaling, ::testing::ValuesIn(testing::kAllLaws),
-                         [](const auto& law) { return testing::law_name(law.param); });
+INSTANTIATE_TEST_SUITE_P(Law, Scaling, ::testing::ValuesIn(kAllLaws),
+                         [](const auto& law) { return law_name(law.param); });
 
 TEST_P(Scaling, of_lengths_and_times_by_two_is_exact) {
-  const Parameters p = testing::quick_slider(GetParam()), large = twice_as_large(p);
+  const Parameters p = quick_slider(GetParam()), large = twice_as_large(p);
   Simulation one(p, normal_load_equilibrium(p)), other(large, normal_load_equilibrium(large));
   one.advance(2500);
   other.advance(2500);
@@ -37,5 +36,4 @@ TEST_P(Scaling, of_lengths_and_times_by_two_is_exact) {
   EXPECT_TRUE((other.state().u_x.blocks() == 2 * one.state().u_x.blocks()).all());
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -5,8 +5,7 @@
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 /// A block under the mean normal force of the reference slider.
 SteadySliding block_of(const Parameters& p) {
@@ -41,5 +40,4 @@ TEST(SteadySliding, friction_goes_from_half_mu_s_to_mu_d) {
   EXPECT_NEAR(measured_friction(block_of(p), 10.0).value, p.mu_d[0], 1e-4);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

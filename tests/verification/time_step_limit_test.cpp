@@ -7,10 +7,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::Noise;
+namespace rupture::testing {
 
 /// Factor by which 3000 steps multiply the kinetic energy of a free plate that starts from noise.
 /// (Not a Simulation, which refuses time steps above the limit.)
@@ -28,9 +25,9 @@ double growth(const Parameters& p, double dt) {
 class TimeStepLimit : public ::testing::TestWithParam<double> {};
 
 TEST_P(TimeStepLimit, SLOW_of_a_free_plate_is_sharp) {
-  Parameters p = testing::free_plate(21, 21);
+  Parameters p = free_plate(21, 21);
   p.damping = GetParam();
-  for (const Parameters& plate : {p, testing::with_other_bulk(p)}) {
+  for (const Parameters& plate : {p, with_other_bulk(p)}) {
     const double limit = stable_time_step(plate);
     EXPECT_LT(growth(plate, limit), 1.0);
     EXPECT_FALSE(growth(plate, 1.01 * limit) < 1e6);  // or not a number
@@ -56,7 +53,7 @@ double growth_at_the_limit(Parameters p) {
 }
 
 TEST(TimeStepLimit, holds_with_foundation_junctions_and_driving_spring) {
-  const Parameters reference = testing::small_slider(9, 5);
+  const Parameters reference = small_slider(9, 5);
   Parameters stiff_junctions = reference, stiff_foundation = reference, stiff_spring = reference;
   stiff_junctions.kappa = 1e4 * reference.kappa[0];
   stiff_foundation.foundation = 100.0;
@@ -73,5 +70,4 @@ TEST(TimeStepLimit, holds_with_foundation_junctions_and_driving_spring) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -3,8 +3,7 @@
 
 #include "rupture/analysis/front.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 constexpr double kQuiet = 0.010;   // [s]
 constexpr double kApart = 2.5e-3;  // blocks [m]
@@ -54,5 +53,4 @@ TEST(Events, carry_the_front_of_their_own_ruptures) {
   EXPECT_EQ(found[2].front.type, FrontType::arrested) << "one block, at the leading edge";
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

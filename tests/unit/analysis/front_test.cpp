@@ -10,8 +10,7 @@
 #include "rupture/analysis/statistics.hpp"
 #include "rupture/model/derived.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 constexpr std::size_t kBlocks = 57;
 constexpr double kSpacing = 2.5e-3;            // [m]
@@ -344,5 +343,4 @@ TEST(SlowStretch, in_words_is_below_a_tenth_of_the_speed_of_shear_waves) {
   EXPECT_FALSE(at(1.001 * limit).in_words);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

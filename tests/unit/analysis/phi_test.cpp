@@ -10,8 +10,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 double mean_square(const std::vector<double>& values) {
   double sum = 0.0;
@@ -75,7 +74,7 @@ class Interface : public ::testing::Test {
  protected:
   Interface() {
     const auto blocks = block_forces(p_, state_);
-    testing::Noise noise(0.25);
+    Noise noise(0.25);
     for (Eigen::Index i = 0; i < p_.Nx; ++i) {
       const BlockForces& block = blocks[static_cast<std::size_t>(i)];
       for (Eigen::Index j = 0; j < p_.N_s; ++j) {
@@ -96,7 +95,7 @@ class Interface : public ::testing::Test {
   std::vector<BlockForces> now() const { return block_forces(p_, state_); }
   std::vector<BlockForces> then() const { return block_forces(p_, before_); }
 
-  Parameters p_ = testing::small_slider(5, 3);
+  Parameters p_ = small_slider(5, 3);
   State state_ = normal_load_equilibrium(p_);
   State before_;
 };
@@ -214,5 +213,4 @@ TEST(Histogram, counts_every_junction_once) {
   EXPECT_EQ(histogram(block, 4), (std::vector<std::int64_t>{2, 1, 3, 3}));
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -9,8 +9,7 @@
 
 #include "rupture/model/derived.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 constexpr double kRupture = 1e-3, kArrest = 1.1e-3, kRestart = 1.3e-3, kEnd = 4e-3;  // [s]
 constexpr double kCreep = 1e-3, kFastSlip = 0.1, kSlowSlip = 2e-3;                   // [m/s]
@@ -151,5 +150,4 @@ TEST_F(SlowSlipBehindAFront, is_that_of_the_blocks_with_a_whole_stencil_in_the_s
   EXPECT_EQ(front_.line.x[blocks.back() + 2], front_.slow->x_to);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

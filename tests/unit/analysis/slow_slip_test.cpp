@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 TEST(SlowSlipEstimate, is_zero_where_nothing_drives_it) {
   Parameters p;
@@ -60,5 +59,4 @@ TEST(Relaxation, does_not_happen_when_junctions_keep_f_slip) {
   EXPECT_NEAR(relax(p, 0)->net_slip, 0.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

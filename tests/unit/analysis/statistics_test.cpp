@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 using Values = std::vector<double>;
 
@@ -67,5 +66,4 @@ TEST(MeanOf, knows_how_well_it_is_known) {
   EXPECT_FALSE(mean_of(Values{1.0})) << "needs two values";
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -11,8 +11,7 @@
 #include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 /// mu-bar by quadrature of the density of a shape as the paper writes it (Fig. S5), to about 1e-8.
 double by_quadrature(PhiShape shape, double sigma_bar) {
@@ -90,7 +89,7 @@ class StrengthOfBlocks : public ::testing::Test {
     }
   }
 
-  Parameters p_ = testing::small_slider(5, 3);
+  Parameters p_ = small_slider(5, 3);
   State state_ = normal_load_equilibrium(p_);
 };
 
@@ -127,7 +126,7 @@ TEST_F(StrengthOfBlocks, has_no_value_without_contact) {
 }
 
 TEST(Strength, of_single_springs_begins_at_their_friction) {
-  Parameters p = testing::small_slider(5, 3);
+  Parameters p = small_slider(5, 3);
   p.law = Law::simplified;
   State state = normal_load_equilibrium(p);
   state.junctions.attachment.setConstant(-1e-6);
@@ -180,5 +179,4 @@ TEST(Strength, is_what_the_reference_law_bears_whatever_the_mean_force) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

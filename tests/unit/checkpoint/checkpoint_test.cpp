@@ -6,16 +6,9 @@
 
 #include "fixtures.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
-namespace fs = std::filesystem;
-
-using testing::expect_contains;
-using testing::message_of;
-using testing::small_checkpoint;
-
-class CheckpointFile : public testing::InFolder {
+class CheckpointFile : public InFolder {
  protected:
   std::string write(const Checkpoint& checkpoint) {
     return write_checkpoint(file("x.h5"), checkpoint, IfExists::replace);
@@ -76,5 +69,4 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -4,10 +4,7 @@
 #include "fixtures.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::kAllLaws;
+namespace rupture::testing {
 
 // --- which parameters count: what the law uses, and of the later ones what differs from its
 // default
@@ -78,5 +75,4 @@ TEST(CountedParameters, are_those_that_the_law_uses) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -10,8 +10,7 @@
 
 #include "rupture/model/error.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 void expect_end(const ChildEnd& end, int code, int signal) {
   EXPECT_EQ(end.code, code);
@@ -65,5 +64,4 @@ TEST(ChildProcess, is_limited) {
   expect_end(limit_in_child(RLIMIT_CORE), 0, 0);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

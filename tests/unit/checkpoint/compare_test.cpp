@@ -3,10 +3,7 @@
 
 #include "fixtures.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::message_of;
+namespace rupture::testing {
 
 Content with(const std::vector<double>& values) {
   return {{"/state/a", make_array(std::span(values), {values.size()}, "m")}};
@@ -54,5 +51,4 @@ TEST(Diff, measures_values_and_says_where_each_difference_is_largest) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

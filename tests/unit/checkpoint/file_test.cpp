@@ -3,21 +3,12 @@
 
 #include "fixtures.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
-namespace fs = std::filesystem;
-
-using testing::expect_contains;
-using testing::message_of;
-using testing::slurp;
-using testing::small_checkpoint;
-using testing::spill;
-
-class File : public testing::InFolder {};
+class File : public InFolder {};
 
 TEST_F(File, has_a_header_of_512_bytes_that_people_can_read) {
-  const std::string header = header_text(FileKind::checkpoint, testing::bytes_of("abc"));
+  const std::string header = header_text(FileKind::checkpoint, bytes_of("abc"));
   EXPECT_EQ(header.size(), kHeaderSize);
   EXPECT_TRUE(header.starts_with(
       "rupture-checkpoint\nbytes 515\n"
@@ -53,39 +44,38 @@ bool is_refused(std::span<const std::byte> bytes) {
 }
 
 void expect_all_damage_refused(std::string bytes) {
-  ASSERT_FALSE(is_refused(testing::bytes_of(bytes)));
+  ASSERT_FALSE(is_refused(bytes_of(bytes)));
   std::size_t passed = 0;
   for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     char& byte = bytes[bit / 8];
     const char before = byte;
     byte = static_cast<char>(byte ^ static_cast<char>(1U << bit % 8));
-    passed += is_refused(testing::bytes_of(bytes)) ? 0 : 1;
+    passed += is_refused(bytes_of(bytes)) ? 0 : 1;
     byte = before;
   }
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    passed += is_refused(testing::bytes_of(bytes).first(size)) ? 0 : 1;
+    passed += is_refused(bytes_of(bytes).first(size)) ? 0 : 1;
   }
   EXPECT_EQ(passed, 0U) << "of " << 9 * bytes.size();
 }
 
-class Damage : public testing::InFolder {};
+class Damage : public InFolder {};
 
 TEST_F(Damage, SLOW_of_a_checkpoint_at_any_bit_or_length_is_refused) {
-  write_checkpoint(file("x.h5"), testing::small_checkpoint(), IfExists::replace);
-  expect_all_damage_refused(testing::slurp(file("x.h5")));
+  write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::replace);
+  expect_all_damage_refused(slurp(file("x.h5")));
 }
 
 TEST_F(Damage, SLOW_of_a_record_at_any_bit_or_length_is_refused) {
-  RecordWriter writer(file("r.h5"), testing::small_parameters(), {}, IfExists::replace);
-  for (int n = 0; n < 3; ++n) writer.append(testing::small_sample(5, n));
+  RecordWriter writer(file("r.h5"), small_parameters(), {}, IfExists::replace);
+  for (int n = 0; n < 3; ++n) writer.append(small_sample(5, n));
   writer.finish();
-  expect_all_damage_refused(testing::slurp(file("r.h5")));
+  expect_all_damage_refused(slurp(file("r.h5")));
 }
 
 // Five minutes of processor time, so only on request (docs/tests.md), in the folder checkpoints/.
 TEST(ShippedCheckpoint, DISABLED_with_any_single_bit_flipped_or_truncated_is_refused) {
-  expect_all_damage_refused(testing::slurp("fast-slow-fast.h5"));
+  expect_all_damage_refused(slurp("fast-slow-fast.h5"));
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -4,8 +4,7 @@
 
 #include "rupture/version.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
   EXPECT_EQ(shell_line({"load", "-o", "a/b.h5", "--set=driving.V=0"}),
@@ -26,5 +25,4 @@ TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
   EXPECT_TRUE(entry.compiler.starts_with("gcc ") || entry.compiler.starts_with("clang "));
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

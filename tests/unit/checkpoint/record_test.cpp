@@ -6,30 +6,16 @@
 
 #include "fixtures.hpp"
 
-namespace rupture {
-namespace {
-
-namespace fs = std::filesystem;
-using testing::expect_contains;
-using testing::message_of;
-using testing::slurp;
-using testing::small_parameters;
-using testing::small_sample;
-using testing::spill;
+namespace rupture::testing {
 
 /// Small ones, of which every number is known.
-class RecordFile : public testing::InFolder {
+class RecordFile : public InFolder {
  protected:
   static constexpr std::size_t kNx = 5;  // of small_parameters()
 
   RecordWriter writer(const char* name, std::size_t flush_every = 256) {
-    return {file(name),
-            small_parameters(),
-            testing::small_checkpoint().provenance,
-            IfExists::refuse,
-            {},
-            {},
-            flush_every};
+    return {file(name), small_parameters(), small_checkpoint().provenance, IfExists::refuse, {},
+            {},         flush_every};
   }
 
   static void append(RecordWriter& record, int from, int to) {
@@ -67,7 +53,7 @@ TEST_F(RecordFile, returns_what_was_appended) {
   const Record record = read_record(file("r.h5"));
   expect_samples(record, 40);
   EXPECT_EQ(record.parameters, small_parameters());
-  EXPECT_EQ(record.provenance, testing::small_checkpoint().provenance);
+  EXPECT_EQ(record.provenance, small_checkpoint().provenance);
   ASSERT_EQ(record.ruptures.size(), 10U);
   EXPECT_EQ(record.ruptures[9], (Rupture{3600, 0.001 * 36, 1}));
   EXPECT_EQ(verify_file(file("r.h5")).checksum, checksum);
@@ -233,5 +219,4 @@ TEST_F(RecordWithParts, with_impossible_values_is_refused) {
                   "/fields/u_z holds inf at index 7 of [1][4][5]; only finite numbers are stored");
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -10,10 +10,7 @@
 #include "rupture/analysis/phi.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::small_slider;
+namespace rupture::testing {
 
 /// Demands that both sliders are the same but for `rounding`, relative to the largest displacement.
 void expect_same(const State& found, const State& expected, double rounding) {
@@ -111,5 +108,4 @@ TEST(Elimination, depends_on_the_number_of_blocks) {
   EXPECT_TRUE((normal_load_equilibrium(p).u_x.blocks() == unchanged->u_x.blocks()).all());
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -6,10 +6,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::quick_slider;
+namespace rupture::testing {
 
 /// All findings of `looks` looks, `interval` steps apart; the first one before any step.
 std::vector<Finding> watch(Simulation& simulation, int looks, std::int64_t interval) {
@@ -50,12 +47,12 @@ TEST_P(QuietGuard, says_nothing_through_a_rupture) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, QuietGuard, ::testing::ValuesIn(testing::kAllLaws),
-                         [](const auto& law) { return testing::law_name(law.param); });
+INSTANTIATE_TEST_SUITE_P(Laws, QuietGuard, ::testing::ValuesIn(kAllLaws),
+                         [](const auto& law) { return law_name(law.param); });
 
 TEST(Guard, says_nothing_at_rest_where_the_energy_account_is_all_rounding) {
-  const Parameters p = testing::prepared_slider();
-  Prestress prestress = testing::quick_prestress();
+  const Parameters p = prepared_slider();
+  Prestress prestress = quick_prestress();
   prestress.trigger = Trigger::pinned;
   Simulation simulation(p, prepared_state(p, prestress));
   const Energies before = simulation.energies();
@@ -64,14 +61,14 @@ TEST(Guard, says_nothing_at_rest_where_the_energy_account_is_all_rounding) {
 }
 
 TEST(Guard, says_nothing_about_the_event_of_a_prepared_interface) {
-  const Parameters p = testing::prepared_slider();
-  Simulation simulation(p, prepared_state(p, testing::quick_prestress()));
+  const Parameters p = prepared_slider();
+  Simulation simulation(p, prepared_state(p, quick_prestress()));
   EXPECT_TRUE(watch(simulation, 100, 10).empty());
 }
 
 TEST(Guard, says_nothing_about_junctions_exactly_at_their_strength) {
-  const Parameters p = testing::prepared_slider();
-  Prestress prestress = testing::quick_prestress();
+  const Parameters p = prepared_slider();
+  Prestress prestress = quick_prestress();
   prestress.sigma_bar = largest_sigma_bar(p, prestress);
   EXPECT_TRUE(findings_at_once(p, prepared_state(p, prestress)).empty());
   prestress = {1.0, 0.0, PhiShape::uniform, 0.0};
@@ -172,7 +169,7 @@ TEST(Guard, warns_of_blocks_without_contact_but_not_of_their_junctions) {
 }
 
 TEST(Guard, finds_a_slider_that_touches_nothing) {
-  for (Parameters p : {quick_slider(), testing::prepared_slider()}) {
+  for (Parameters p : {quick_slider(), prepared_slider()}) {
     State state(p);
     state.u_z.blocks() = p.support == Support::foundation ? 1e-7 : -1e-7;
     expect_one(findings_at_once(p, state), Check::contact, Severity::alarm,
@@ -191,5 +188,4 @@ TEST(Guard, finds_blocks_that_have_passed_each_other) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

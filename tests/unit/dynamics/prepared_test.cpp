@@ -8,8 +8,7 @@
 #include "rupture/model/random.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -162,5 +161,4 @@ TEST_F(PreparedSprings, have_no_width) {
   EXPECT_THROW(prepared_state(p_, {0.2, 0.1}), UsageError);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

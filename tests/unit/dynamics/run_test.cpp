@@ -6,8 +6,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 /// Asks for every `interval`-th step and notes what it is shown.
 class Every : public Observer {
@@ -28,7 +27,7 @@ class Every : public Observer {
 class Run : public ::testing::Test {
  protected:
   static Parameters quickly_ruptured() {
-    Parameters p = testing::small_slider(19, 5);
+    Parameters p = small_slider(19, 5);
     p.V = 0.1;
     return p;
   }
@@ -85,5 +84,4 @@ TEST_F(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junct
             Ending::interrupted);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -13,25 +13,21 @@
 #include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::message_of;
-using testing::quick_slider;
+namespace rupture::testing {
 
 constexpr std::int64_t kThroughTheRupture = 2500;  // steps
 
 class StepUnder : public ::testing::TestWithParam<Law> {};
 
-INSTANTIATE_TEST_SUITE_P(Law, StepUnder, ::testing::ValuesIn(testing::kAllLaws),
-                         [](const auto& law) { return testing::law_name(law.param); });
+INSTANTIATE_TEST_SUITE_P(Law, StepUnder, ::testing::ValuesIn(kAllLaws),
+                         [](const auto& law) { return law_name(law.param); });
 
 /// Compares every step of the next 2,500 with the same step in plain terms. In these, at least nine
 /// blocks must rupture; of a prepared slider six, as three have already.
 void expect_stated_order(const Parameters& p) {
   const bool is_prepared = p.support == Support::ceiling;
   Simulation simulation(
-      p, is_prepared ? prepared_state(p, testing::quick_prestress()) : normal_load_equilibrium(p));
+      p, is_prepared ? prepared_state(p, quick_prestress()) : normal_load_equilibrium(p));
   for (int n = 0; n < kThroughTheRupture; ++n) {
     State plain = simulation.state();
     Bulk bulk(p);
@@ -61,8 +57,8 @@ TEST_P(StepUnder, follows_the_stated_order) {
 }
 
 TEST(Step, follows_the_stated_order_on_every_support) {
-  expect_stated_order(testing::prepared_slider());
-  for (Parameters damped : {quick_slider(), testing::prepared_slider()}) {
+  expect_stated_order(prepared_slider());
+  for (Parameters damped : {quick_slider(), prepared_slider()}) {
     damped.foundation_damping = 0.5;
     expect_stated_order(damped);
     set_parameter(damped, "slider.load", "1.2 from 0 to 10mm");
@@ -73,8 +69,8 @@ TEST(Step, follows_the_stated_order_on_every_support) {
 }
 
 TEST(Simulation, notes_each_rupture_and_crossing_of_another_pinned_fraction_at_its_step) {
-  const Parameters p = testing::prepared_slider();
-  Prestress prestress = testing::quick_prestress();
+  const Parameters p = prepared_slider();
+  Prestress prestress = quick_prestress();
   prestress.sigma_bar = 0.2;  // so that the junctions of a block break one after the other
   const State start = prepared_state(p, prestress);
   Simulation simulation(p, start, 1, {0.2, 0.55}), plain(p, start);
@@ -170,5 +166,4 @@ TEST(BlowUp, is_reported_with_time_and_block) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -4,8 +4,7 @@
 #include "hand_made_interface.hpp"
 #include "rupture/model/laws.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 constexpr std::int64_t kBlocks = 6;
 
@@ -32,7 +31,7 @@ std::vector<std::vector<double>> history(const Parameters& p) {
 }
 
 Parameters of_law(const LawInfo& law) {
-  Parameters p = testing::hand_made(5);
+  Parameters p = hand_made(5);
   p.Nx = kBlocks;
   p.L = 0.0025 * (kBlocks - 1);
   p.delta_t_R = 0.6e-3;
@@ -78,7 +77,7 @@ TEST(AlongX, each_half_of_the_interface_obeys_the_law_with_its_own_value) {
 
 // Two blocks of the same slider apart: with weights 3 to 1 the left half bears three quarters.
 TEST(AlongX, a_load_keeps_its_sum_and_presses_where_it_is) {
-  Parameters p = testing::small_slider(9, 5);
+  Parameters p = small_slider(9, 5);
   set_parameter(p, "slider.load", "3 from 0 to 17.5mm");
   double sum = 0.0;
   for (std::int64_t i = 0; i < p.Nx; ++i) sum += column_load(p, i);
@@ -96,5 +95,4 @@ TEST(AlongX, a_load_keeps_its_sum_and_presses_where_it_is) {
   EXPECT_NEAR(moment, load_moment, 2e-4 * load_moment);  // junctions bear the little rest
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -8,11 +8,7 @@
 
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::small_slider;
-using testing::with_other_bulk;
+namespace rupture::testing {
 
 struct Vector {
   double x, z;
@@ -44,7 +40,7 @@ struct Lattice {
   }
   /// Displacements of up to `size` [m].
   void shake(double size) {
-    testing::Noise noise(size);
+    Noise noise(size);
     for (Field* u : {&state.u_x, &state.u_z}) noise.fill(*u);
   }
   void elastic() { Bulk(p).elastic(state.u_x, state.u_z, f_x, f_z); }
@@ -174,7 +170,7 @@ TEST(Bulk, gives_the_forces_of_a_plain_sum_over_neighbours) {
       for (const Parameters& p : choices(Nx, Nz)) {
         Lattice a(p);
         a.shake(0.1 * a.l());
-        testing::Noise velocities(1.0);
+        Noise velocities(1.0);
         for (Field* v : {&a.state.v_x, &a.state.v_z}) velocities.fill(*v);
         for (const bool dampers : {false, true}) {
           dampers ? a.damping() : a.elastic();
@@ -260,5 +256,4 @@ TEST(EdgeSprings, of_half_stiffness_leave_E_and_nu_as_they_are_up_to_the_faces) 
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

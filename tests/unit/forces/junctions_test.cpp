@@ -5,12 +5,7 @@
 #include "hand_made_interface.hpp"
 #include "rupture/model/random.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::hand_made;
-using testing::Interface;
-using testing::kRounding;
+namespace rupture::testing {
 
 constexpr double kSlipForce = 0.17, kSlippingTime = 2e-3;  // mu_d f_N [N], t_R [s]
 constexpr double kBrokenAt = 0.21, kDistance = 0.3;        // [m]
@@ -92,5 +87,4 @@ TEST(ChangeOfLaw, leaves_the_junctions_as_they_are_where_both_laws_know_the_time
   EXPECT_EQ(junctions.draws(0, 0), 1U);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -13,11 +13,7 @@
 #include "rupture/forces/bulk.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::Noise;
-using testing::small_slider;
+namespace rupture::testing {
 
 /// Vector loops read and write 2, 4 or 8 blocks at once; whatever the length of a row, nothing may
 /// leak over its end.
@@ -67,7 +63,7 @@ std::vector<Shaken> shaken(Eigen::Index Nx, const std::vector<Eigen::Index>& hei
   std::vector<Shaken> sliders;
   for (const Eigen::Index Nz : heights) {
     sliders.emplace_back(small_slider(Nx, Nz));
-    sliders.emplace_back(testing::with_other_bulk(small_slider(Nx, Nz)));
+    sliders.emplace_back(with_other_bulk(small_slider(Nx, Nz)));
   }
   return sliders;
 }
@@ -255,7 +251,7 @@ class InstructionSets : public ::testing::TestWithParam<const char*> {
 
 TEST_P(InstructionSets, agree_to_the_last_bit_on_the_bulk) {
   for (const Eigen::Index Nx : {3, 4, 5, 6, 7, 8, 9, 10, 15, 16, 17, 20, 63, 64, 65, 66, 130}) {
-    const Parameters p = small_slider(Nx, 4), other = testing::with_other_bulk(p);
+    const Parameters p = small_slider(Nx, 4), other = with_other_bulk(p);
     EXPECT_EQ(bulk_bits(*found_, p), bulk_bits(kernels(), p)) << Nx << " blocks per row";
     EXPECT_EQ(bulk_bits(*found_, other), bulk_bits(kernels(), other)) << Nx << " blocks per row";
   }
@@ -276,5 +272,4 @@ TEST_P(InstructionSets, agree_to_the_last_bit_on_the_junctions) {
 INSTANTIATE_TEST_SUITE_P(Kernels, InstructionSets, ::testing::ValuesIn(kNames),
                          [](const auto& name) { return std::string(name.param); });
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -19,10 +19,8 @@
 
 #include "hand_made_interface.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
-using testing::Interface;
 using Step = std::map<std::string, double>;
 
 constexpr const char* kLawHistories = R"(
@@ -292,14 +290,14 @@ std::vector<History> histories() {
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line[0] == '#') continue;
     if (line.starts_with("==")) {
-      parameters = testing::hand_made(1);
+      parameters = hand_made(1);
       each_pair(line.substr(2), [&](const auto& name, const auto& value) {
         set_parameter(parameters, name, value);
       });
     } else if (line[0] != ' ') {
       const bool breaks = line.ends_with('*');
       if (breaks) line.pop_back();
-      all.push_back({testing::law_name(parameters.law) + "_" + line, "", parameters, {}});
+      all.push_back({law_name(parameters.law) + "_" + line, "", parameters, {}});
       if (breaks) all.back().steps.push_back({{"u", 0.21}, {"broken", 1.0}});
     } else {
       all.back().text += "\n" + line;
@@ -322,8 +320,7 @@ class ByHand : public ::testing::TestWithParam<History> {
     if (found->second == 0.0) {
       EXPECT_EQ(value, 0.0) << name;
     } else {
-      EXPECT_NEAR(value, found->second, 2 * testing::kRounding * std::max(1.0, std::abs(value)))
-          << name;
+      EXPECT_NEAR(value, found->second, 2 * kRounding * std::max(1.0, std::abs(value))) << name;
     }
   }
 };
@@ -359,5 +356,4 @@ TEST_P(ByHand, goes_as_worked_out_by_hand) {
 INSTANTIATE_TEST_SUITE_P(Laws, ByHand, ::testing::ValuesIn(histories()),
                          [](const auto& history) { return history.param.name; });
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

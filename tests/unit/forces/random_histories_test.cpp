@@ -8,10 +8,7 @@
 #include "hand_made_interface.hpp"
 #include "rupture/model/random.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::Interface;
+namespace rupture::testing {
 
 constexpr int kHistory = 20000;  // steps
 
@@ -27,7 +24,7 @@ class Wandering {
   double u = 0, t = 0, f_N = 1;
 
  private:
-  testing::Noise noise_{1.0};
+  Noise noise_{1.0};
 };
 
 /// The laws with N_s junctions once more, in forces instead of stretches, from the time of the
@@ -67,7 +64,7 @@ struct Case {
 class PlainHistory : public ::testing::TestWithParam<Case> {
  protected:
   static Parameters parameters(const Case& chosen) {
-    Parameters p = testing::hand_made(chosen.N_s);
+    Parameters p = hand_made(chosen.N_s);
     p.law = chosen.law;
     p.f_new = chosen.f_new;
     p.delta_t_R = 0.6e-3;
@@ -108,14 +105,14 @@ const auto kPlain = ::testing::Values(
     Case{Law::distance, 1}, Case{Law::distance, 9});
 
 std::string name_of(const ::testing::TestParamInfo<Case>& history) {
-  return testing::law_name(history.param.law) + "_" + std::to_string(history.param.N_s) +
+  return law_name(history.param.law) + "_" + std::to_string(history.param.N_s) +
          (history.param.f_new == NewForce::zero ? "" : "_f_slip");
 }
 
 INSTANTIATE_TEST_SUITE_P(Law, PlainHistory, kPlain, name_of);
 
 TEST(DecayingHistory, without_decay_is_the_reference_law_with_slow_slip_off_to_the_bit) {
-  Parameters decaying = testing::hand_made(9), reference = decaying;
+  Parameters decaying = hand_made(9), reference = decaying;
   decaying.law = Law::decaying;
   decaying.mu_new = decaying.mu_d[0];
   reference.f_new = NewForce::f_slip;
@@ -133,5 +130,4 @@ TEST(DecayingHistory, without_decay_is_the_reference_law_with_slow_slip_off_to_t
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

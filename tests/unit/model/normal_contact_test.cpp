@@ -5,8 +5,7 @@
 
 #include "rupture/model/derived.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 class NormalContactOf : public ::testing::TestWithParam<Support> {
  protected:
@@ -74,5 +73,4 @@ TEST_P(NormalContactOf, a_compressed_column_is_in_balance) {
   EXPECT_NEAR((bottom - top) / p_.H, p_.F_N / (p_.L * p_.B * p_.E), 1e-15);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

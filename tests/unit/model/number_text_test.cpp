@@ -7,8 +7,7 @@
 
 #include "rupture/model/user_text.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 double number(const std::string& text) {
   double value = 0.0;
@@ -82,5 +81,4 @@ TEST(UnknownText, suggests_the_nearest_name_if_most_of_it_was_written) {
   EXPECT_EQ(text("abc", {"axy"}), "unknown name 'abc'; see help");
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

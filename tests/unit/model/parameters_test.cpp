@@ -14,10 +14,7 @@
 #include "rupture/model/derived.hpp"
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
-
-using testing::message_of;
+namespace rupture::testing {
 
 std::string refusal(std::string_view name, std::string_view text) {
   Parameters p;
@@ -290,5 +287,4 @@ TEST(Derived, mean_slipping_time_is_that_of_the_folded_gaussian) {
   EXPECT_EQ(mean_slipping_time(p, 0), p.t_R[0]);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -10,8 +10,7 @@
 
 #include "support/sliders.hpp"
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 /// The uniform number that the first two words of a Philox output stand for.
 double uniform_of(std::uint32_t first, std::uint32_t second) {
@@ -69,7 +68,7 @@ void expect_log(double x) {
 }
 
 TEST(ExactLog, agrees_with_the_library_over_all_magnitudes) {
-  testing::Noise noise(1.0);
+  Noise noise(1.0);
   for (int exponent = -1021; exponent <= 1023; ++exponent) {
     for (int n = 0; n < 10; ++n) expect_log(std::ldexp(1.5 + 0.499 * noise(), exponent));
   }
@@ -111,5 +110,4 @@ TEST(NormalQuantile, is_antisymmetric_to_the_last_bit) {
   }
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rupture {
-namespace {
+namespace rupture::testing {
 
 TEST(Field, keeps_zero_padding_around_every_row) {
   for (Eigen::Index Nx = 1; Nx <= 20; ++Nx) {
@@ -68,5 +67,4 @@ TEST(State, keeps_its_clock_when_only_the_driving_speed_changes) {
   EXPECT_EQ(drive_position(after, state.drive, 8), 6.5);
 }
 
-}  // namespace
-}  // namespace rupture
+}  // namespace rupture::testing
