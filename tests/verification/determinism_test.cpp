@@ -89,21 +89,4 @@ TEST_P(DeterminismOf, any_number_of_threads_gives_the_same_bits_through_a_ruptur
   }
 }
 
-TEST(Determinism, a_small_slider_gets_one_thread) {
-  EXPECT_EQ(default_thread_count(quick_slider()), 1);
-}
-
-TEST(Determinism, another_seed_gives_another_run_once_junctions_break) {
-  Parameters p = quick_slider();
-  const auto final_u = [&](std::int64_t steps) {
-    Simulation simulation(p, normal_load_equilibrium(p));
-    simulation.advance(steps);
-    return simulation.state().u_x(4, 0);
-  };
-  const double before = final_u(500), after = final_u(2500);
-  p.seed = 2;
-  EXPECT_EQ(final_u(500), before);
-  EXPECT_NE(final_u(2500), after);
-}
-
 }  // namespace rupture::testing

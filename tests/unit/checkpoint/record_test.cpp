@@ -153,20 +153,12 @@ TEST_F(RecordFile, with_pieces_that_do_not_fit_together_is_refused) {
 
 class RecordWithParts : public RecordFile {
  protected:
-  const RecordParts crossings = {.crossing_levels = {0.2, 0.5}};
   const RecordParts fields = {.fields = Fields::record};
 
   RecordWriter writer_of(const char* name, const RecordParts& parts) {
     return {file(name), small_parameters(), {}, IfExists::replace, {}, parts, 8};
   }
 };
-
-TEST_F(RecordWithParts, knows_its_levels_without_any_crossing) {
-  auto out = writer_of("r.h5", crossings);
-  append(out, 0, 4);
-  out.finish();
-  EXPECT_TRUE(ruptures_below(read_record(file("r.h5")), 0.5).empty());
-}
 
 // 0.55 * 100 is more than 55: earlier builds recorded the crossing when 55 were still pinned.
 TEST_F(RecordWithParts, may_have_a_crossing_at_its_level_or_below) {

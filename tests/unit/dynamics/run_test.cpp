@@ -1,4 +1,4 @@
-// The loop: observers and stop rules.
+// The loop and its stop rules. Observers are tested in tests/tools.
 #include "rupture/dynamics/run.hpp"
 
 #include <gtest/gtest.h>
@@ -7,21 +7,6 @@
 #include "support/sliders.hpp"
 
 namespace rupture::testing {
-
-/// Asks for every `interval`-th step and notes what it is shown.
-class Every : public Observer {
- public:
-  explicit Every(std::int64_t interval) : interval_(interval) {}
-  std::int64_t next_step() const override { return next_; }
-  void observe(const Simulation& simulation) override {
-    seen.push_back(simulation.state().step);
-    next_ = (simulation.state().step / interval_ + 1) * interval_;
-  }
-  std::vector<std::int64_t> seen;
-
- private:
-  std::int64_t interval_, next_ = 0;
-};
 
 /// With ten blocks beyond the loading zone; ruptures from end to end between steps 1,700 and 2,850.
 class Run : public ::testing::Test {
@@ -33,18 +18,7 @@ class Run : public ::testing::Test {
   }
   const Parameters p_ = quickly_ruptured();
   const State start_ = normal_load_equilibrium(p_);
-  Simulation simulation_{p_, start_};
 };
-
-using Steps = std::vector<std::int64_t>;
-
-TEST_F(Run, shows_observers_the_steps_they_ask_for) {
-  Every seven(7), ten(10);
-  EXPECT_EQ(run(simulation_, {30, {}}, {&seven, &ten}), Ending::last_step);
-  EXPECT_EQ(simulation_.state().step, 30);
-  EXPECT_EQ(seven.seen, (Steps{0, 7, 14, 21, 28}));
-  EXPECT_EQ(ten.seen, (Steps{0, 10, 20, 30}));
-}
 
 TEST_F(Run, ends_at_a_whole_hundred_after_nothing_broke_for_long_enough) {
   Parameters p = p_;

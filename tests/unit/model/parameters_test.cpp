@@ -116,12 +116,7 @@ TEST(SetParameter, says_what_it_does_not_take) {
   const std::vector<Refusal> all = {
       {"slider.foo", {"1"}, "unknown parameter 'slider.foo'; see rupture parameters"},
       {"slider.mu_s", {"1"}, "unknown parameter 'slider.mu_s': did you mean 'junctions.mu_s'?"},
-      {"junctions.mu_S",
-       {"1"},
-       "unknown parameter 'junctions.mu_S': did you mean 'junctions.mu_s'?"},
       {"mu_d", {"1"}, "unknown parameter 'mu_d': did you mean 'junctions.mu_d'?"},
-      {"drving.V", {"1"}, "unknown parameter 'drving.V': did you mean 'driving.V'?"},
-      {"driving.v", {"1"}, "unknown parameter 'driving.v': did you mean 'driving.V'?"},
       {"numerics.dt ", {"1"}, "unknown parameter 'numerics.dt ': did you mean 'numerics.dt'?"},
       {"slider.L",
        {"", "abc", "1e", "+-1", "0.14kg", "0.14Mm", " 1", "1 ", "0x10", "1,5"},
