@@ -28,8 +28,8 @@ RuptureLine line_of(const std::function<double(std::size_t)>& speed) {
   return line;
 }
 
-RuptureLine slow_between(std::size_t first, std::size_t last) {
-  return line_of([=](std::size_t n) { return n >= first && n < last ? kSlow : kFast; });
+RuptureLine slow_between(std::size_t first, std::size_t last, double speed = kSlow) {
+  return line_of([=](std::size_t n) { return n >= first && n < last ? speed : kFast; });
 }
 
 void arrest_behind(RuptureLine& line, std::size_t last) {
@@ -157,8 +157,7 @@ TEST(Front, tells_its_slowest_and_its_mean_speed) {
 }
 
 TEST(Front, is_slow_by_the_magnitude_of_its_speed_but_counts_forwards_only) {
-  const Front front =
-      measure(line_of([](std::size_t n) { return n >= 20 && n < 25 ? -kSlow : kFast; }), kRaw);
+  const Front front = measure(slow_between(20, 25, -kSlow), kRaw);
   EXPECT_EQ(front.type, FrontType::slow);
   EXPECT_FALSE(front.slow);
   EXPECT_EQ(front.backward_stencils, 8U) << "around blocks 19 to 26";
@@ -173,24 +172,23 @@ TEST(Front, is_slow_by_the_magnitude_of_its_speed_but_counts_forwards_only) {
 }
 
 TEST(Front, is_fast_slow_fast_by_the_papers_words) {
-  const auto is_so = [](double speed, std::size_t from, std::size_t to, double beside = kFast,
-                        std::size_t beside_from = 0, std::size_t beside_to = 0) {
-    return measure(line_of([=](std::size_t n) {
-             if (n >= beside_from && n < beside_to) return beside;
-             return n >= from && n < to ? speed : kFast;
-           }))
-        .fast_slow_fast;
+  const auto is_so = [](const RuptureLine& line) { return measure(line).fast_slow_fast; };
+  EXPECT_TRUE(is_so(slow_between(20, 35)));
+  EXPECT_TRUE(is_so(slow_between(20, 35, 60.0))) << "c_s/16, and so never below c_s/20";
+  EXPECT_FALSE(is_so(slow_between(20, 23, 65.0))) << "two stencils";
+  EXPECT_TRUE(is_so(slow_between(20, 24, 65.0))) << "three stencils";
+  EXPECT_FALSE(is_so(slow_between(20, 35, kFast)));
+  EXPECT_FALSE(is_so(slow_between(0, 35))) << "nothing before";
+  EXPECT_FALSE(is_so(slow_between(20, kBlocks))) << "nothing after";
+  const auto also_at_80 = [](std::size_t from, std::size_t to) {  // [m/s], c_s/12
+    return line_of([=](std::size_t n) {
+      if (n >= from && n < to) return 80.0;
+      return n >= 30 && n < 40 ? kSlow : kFast;
+    });
   };
-  EXPECT_TRUE(is_so(kSlow, 20, 35));
-  EXPECT_TRUE(is_so(60.0, 20, 35)) << "c_s/16, and so never below c_s/20";
-  EXPECT_FALSE(is_so(65.0, 20, 23)) << "two stencils";
-  EXPECT_TRUE(is_so(65.0, 20, 24)) << "three stencils";
-  EXPECT_FALSE(is_so(kFast, 20, 35));
-  EXPECT_FALSE(is_so(kSlow, 0, 35)) << "nothing before";
-  EXPECT_FALSE(is_so(kSlow, 20, kBlocks)) << "nothing after";
-  EXPECT_TRUE(is_so(kSlow, 30, 40, 80.0, 9, 15));
-  EXPECT_FALSE(is_so(kSlow, 30, 40, 80.0, 9, 25)) << "median before it: c_s/12";
-  EXPECT_FALSE(is_so(kSlow, 30, 40, 80.0, 45, 56)) << "median after it: c_s/12";
+  EXPECT_TRUE(is_so(also_at_80(9, 15)));
+  EXPECT_FALSE(is_so(also_at_80(9, 25))) << "the median before it";
+  EXPECT_FALSE(is_so(also_at_80(45, 56))) << "the median after it";
   RuptureLine arrested = slow_between(20, 35);
   arrest_behind(arrested, 50);
   EXPECT_FALSE(measure(arrested).fast_slow_fast);
@@ -325,8 +323,7 @@ TEST(SlowStretch, does_not_reach_into_the_loading_zone) {
 TEST(SlowStretch, of_a_single_stencil_has_no_duration_and_no_mean_speed) {
   const double limit =
       66.0 / shear_wave_speed(Parameters{});  // a stencil with one fast interval: 75
-  const auto line = line_of([](std::size_t n) { return n >= 20 && n < 24 ? 60.0 : kFast; });
-  const Front front = measure(line, {.slow_below = limit});
+  const Front front = measure(slow_between(20, 24, 60.0), {.slow_below = limit});
   ASSERT_TRUE(front.slow);
   EXPECT_EQ(front.slow->x_from, 22 * kSpacing);
   EXPECT_EQ(front.slow->x_from, front.slow->x_to);
@@ -336,11 +333,55 @@ TEST(SlowStretch, of_a_single_stencil_has_no_duration_and_no_mean_speed) {
 
 TEST(SlowStretch, in_words_is_below_a_tenth_of_the_speed_of_shear_waves) {
   const double limit = shear_wave_speed(Parameters{}) / 10.0;
-  const auto at = [](double speed) {
-    return measure(line_of([=](std::size_t n) { return n >= 20 && n < 35 ? speed : kFast; }));
+  EXPECT_TRUE(measure(slow_between(20, 35, 0.999 * limit)).in_words);
+  EXPECT_FALSE(measure(slow_between(20, 35, 1.001 * limit)).in_words);
+}
+
+// --- a made-up record is split into events
+
+/// Blocks 0, 1, 2 at 0.1 s; blocks 3 and 1 at 0.2 s, 5 ms apart; the last block at 0.3 s.
+const std::vector<Rupture> kRuptures = {{100, 0.100, 0}, {101, 0.101, 2}, {102, 0.102, 1},
+                                        {200, 0.200, 3}, {205, 0.205, 1}, {300, 0.300, 56}};
+const std::vector<double> kTime = {0.0, 0.09, 0.105, 0.115, 0.199, 0.21, 0.29, 0.305, 0.5};
+const std::vector<double> kForce = {10, 50, 30, 20, 60, 40, 80, 70, 5};
+
+std::vector<Event> events(double quiet = 0.010) {  // [s]
+  return find_events(Parameters{}, kRuptures, {kTime, kForce}, quiet, FrontCriteria{});
+}
+
+TEST(Events, are_split_by_quiet_times) {
+  EXPECT_EQ(events(0.2).size(), 1U);
+  EXPECT_EQ(events(0.004).size(), 4U);
+  EXPECT_EQ(events(1e-4).size(), 6U);
+}
+
+TEST(Events, tell_times_places_and_the_force_before_and_its_smallest_value_until_it_is_quiet) {
+  struct Expected {
+    double t_start, t_end, x_first, x_last, F_T_before, F_T_after;
   };
-  EXPECT_TRUE(at(0.999 * limit).in_words);
-  EXPECT_FALSE(at(1.001 * limit).in_words);
+  // the last force before each event; the 20 N at 0.115 s come after the quiet time
+  const std::vector<Expected> expected = {{0.100, 0.102, 0.0, 2 * kSpacing, 50.0, 30.0},
+                                          {0.200, 0.205, 3 * kSpacing, 3 * kSpacing, 60.0, 40.0},
+                                          {0.300, 0.300, 56 * kSpacing, 56 * kSpacing, 80.0, 70.0}};
+  const auto found = events();
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    EXPECT_EQ(found[n].t_start, expected[n].t_start);
+    EXPECT_EQ(found[n].t_end, expected[n].t_end);
+    EXPECT_DOUBLE_EQ(found[n].x_first, expected[n].x_first);
+    EXPECT_DOUBLE_EQ(found[n].x_last, expected[n].x_last);
+    EXPECT_EQ(found[n].F_T_before, expected[n].F_T_before);
+    EXPECT_EQ(found[n].F_T_after, expected[n].F_T_after);
+  }
+}
+
+TEST(Events, carry_the_front_of_their_own_ruptures) {
+  const auto found = events();
+  EXPECT_EQ(found[0].front.line.t_rupture[1], 0.102);
+  EXPECT_EQ(found[0].front.line.t_rupture[3], std::nullopt);
+  EXPECT_EQ(found[1].front.line.t_rupture[1], 0.205);
+  EXPECT_EQ(found[0].front.type, FrontType::arrested);
+  EXPECT_EQ(found[2].front.type, FrontType::arrested) << "one block, at the leading edge";
 }
 
 }  // namespace rupture::testing

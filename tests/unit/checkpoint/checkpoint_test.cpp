@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fixtures.hpp"
+#include "rupture/version.hpp"
 
 namespace rupture::testing {
 
@@ -36,14 +37,11 @@ TEST_F(CheckpointFile, grows_by_little_with_each_step_of_its_provenance) {
 
 TEST_F(CheckpointFile, with_nan_is_not_written) {
   Checkpoint checkpoint = small_checkpoint();
-  checkpoint.state.v_x(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  checkpoint.state.junctions.repin_time(0, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message_of<Failure>([&] { write(checkpoint); }),
             file("x.h5").string() +
-                ": /state/v_x holds nan at index 7 of [4][5]; only finite numbers are stored");
-  checkpoint = small_checkpoint();
-  checkpoint.state.junctions.repin_time(0, 1) = std::numeric_limits<double>::quiet_NaN();
-  expect_contains(message_of<Failure>([&] { write(checkpoint); }),
-                  "/state/junctions/repin_time holds nan");
+                ": /state/junctions/repin_time holds nan at index 1 of [5][3]; "
+                "only finite numbers are stored");
   EXPECT_TRUE(names().empty());
 }
 
@@ -67,6 +65,27 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
     write(written);
     EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
   }
+}
+
+// --- provenance
+
+TEST(Provenance, quotes_arguments_as_a_shell_needs_them) {
+  EXPECT_EQ(shell_line({"load", "-o", "a/b.h5", "--set=driving.V=0"}),
+            "load -o a/b.h5 --set=driving.V=0");
+  EXPECT_EQ(shell_line({"x", "", "a b", "it's", "$HOME", "*", "a\nb", "~", "\\"}),
+            "x '' 'a b' 'it'\\''s' '$HOME' '*' 'a\nb' '~' '\\'");
+}
+
+TEST(Provenance, of_this_build_names_tool_version_commit_and_compiler) {
+  const ProvenanceEntry entry =
+      make_provenance("load", {"load", "--until", "1 s"}, "abc", "load --until 1");
+  EXPECT_EQ(entry.tool, "load");
+  EXPECT_EQ(entry.version, version);
+  EXPECT_EQ(entry.commit, commit);
+  EXPECT_EQ(entry.command_line, "load --until '1 s'");
+  EXPECT_EQ(entry.parent_checksum, "abc");
+  EXPECT_EQ(entry.rebuild, "load --until 1");
+  EXPECT_TRUE(entry.compiler.starts_with("gcc ") || entry.compiler.starts_with("clang "));
 }
 
 }  // namespace rupture::testing
