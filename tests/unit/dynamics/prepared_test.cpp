@@ -10,10 +10,6 @@
 
 namespace rupture::testing {
 
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 Parameters under_ceiling(Parameters p) {
   p.support = Support::ceiling;
   p.V = 0.0;
@@ -88,7 +84,9 @@ TEST_F(Prepared, starts_with_the_trigger_region_depinned_at_once) {
     // what friction gave way is the net force on the block
     EXPECT_NEAR(state_.f_x(block, 0), depinned ? (0.239 - 0.17) * normal : 0.0, 1e-12 * normal);
   }
-  EXPECT_NEAR(sum(friction_forces(p_, state_)), (9 * 0.17 + 48 * 0.216) * normal, 1e-10 * p_.F_N);
+  const auto tau = friction_forces(p_, state_);
+  EXPECT_NEAR(std::accumulate(tau.begin(), tau.end(), 0.0), (9 * 0.17 + 48 * 0.216) * normal,
+              1e-10 * p_.F_N);
   EXPECT_EQ(state_.junctions.draws.topRows(kTriggered).minCoeff(), 1U);
   EXPECT_EQ(state_.junctions.draws.sum(), 900U);
   EXPECT_EQ(state_.junctions.repin_time(8, 99), slipping_time(p_, 8, 99, 0));

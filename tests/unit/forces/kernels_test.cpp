@@ -15,15 +15,8 @@
 
 namespace rupture::testing {
 
-/// Vector loops read and write 2, 4 or 8 blocks at once; whatever the length of a row, nothing may
-/// leak over its end.
-template <class Check>
-void for_row_lengths(const Check& check) {
-  for (Eigen::Index Nx = 3; Nx <= 20; ++Nx) {
-    SCOPED_TRACE(Nx);
-    check(Nx);
-  }
-}
+// Vector loops read and write 2, 4 or 8 blocks at once.
+constexpr Eigen::Index kShortest = 3, kLongest = 20;
 
 void expect_zero_padding(const Field& field) {
   for (Eigen::Index j = -1; j <= field.Nz(); ++j) {
@@ -69,7 +62,8 @@ std::vector<Shaken> shaken(Eigen::Index Nx, const std::vector<Eigen::Index>& hei
 }
 
 TEST(RowLengths, leave_the_padding_zero) {
-  for_row_lengths([](Eigen::Index Nx) {
+  for (Eigen::Index Nx = kShortest; Nx <= kLongest; ++Nx) {
+    SCOPED_TRACE(Nx);
     for (Shaken s : shaken(Nx, {4})) {
       Bulk bulk(s.p);
       Field f_x(s.p.Nx, s.p.Nz), f_z(f_x);
@@ -86,11 +80,12 @@ TEST(RowLengths, leave_the_padding_zero) {
         expect_zero_padding(f_z);
       }
     }
-  });
+  }
 }
 
 TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
-  for_row_lengths([](Eigen::Index Nx) {
+  for (Eigen::Index Nx = kShortest; Nx <= kLongest; ++Nx) {
+    SCOPED_TRACE(Nx);
     for (Shaken s : shaken(Nx, {2, 3, 5})) {
       const Eigen::Index Nz = s.p.Nz;
       Bulk bulk(s.p);
@@ -127,7 +122,7 @@ TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
       EXPECT_LT(differs(v_x, s.state.v_x), 1e-14);
       EXPECT_LT(differs(v_z, s.state.v_z), 1e-14);
     }
-  });
+  }
 }
 
 /// Three steps with the rows in `bands` bands, which are worked on in turn.
@@ -161,7 +156,7 @@ TEST(Bands, and_steps_in_one_sweep_change_no_bit) {
       }
     }
   };
-  for_row_lengths([&](Eigen::Index Nx) { expect_same(Nx, 5, 1); });
+  for (Eigen::Index Nx = kShortest; Nx <= kLongest; ++Nx) expect_same(Nx, 5, 1);
   for (const Eigen::Index Nx : {9, 70, 130}) expect_same(Nx, 7, 9);  // in one chunk, two and three
 }
 
