@@ -151,14 +151,7 @@ TEST_F(RecordFile, with_pieces_that_do_not_fit_together_is_refused) {
 
 // --- with crossings of other pinned fractions, and fields
 
-class RecordWithParts : public RecordFile {
- protected:
-  const RecordParts fields = {.fields = Fields::record};
-
-  RecordWriter writer_of(const char* name, const RecordParts& parts) {
-    return {file(name), small_parameters(), {}, IfExists::replace, {}, parts, 8};
-  }
-};
+class RecordWithParts : public RecordFile {};
 
 // 0.55 * 100 is more than 55: earlier builds recorded the crossing when 55 were still pinned.
 TEST_F(RecordWithParts, may_have_a_crossing_at_its_level_or_below) {
@@ -195,7 +188,8 @@ TEST_F(RecordWithParts, of_large_sliders_are_flushed_by_their_size) {
 }
 
 TEST_F(RecordWithParts, with_impossible_values_is_refused) {
-  auto out = writer_of("r.h5", fields);
+  const RecordParts fields = {.fields = Fields::record};
+  RecordWriter out(file("r.h5"), small_parameters(), {}, IfExists::refuse, {}, fields);
   EXPECT_EQ(message_of<Failure>([&] { out.append(small_sample(4, 1)); }),
             "a sample has 4 values of pinned; expected Nx = 5");
   const std::vector<float> zeros(20);
@@ -203,7 +197,7 @@ TEST_F(RecordWithParts, with_impossible_values_is_refused) {
               out.append(FieldSample{0.0, 0, {0.0F}, zeros});
             }),
             "a sample has 1 values of u_x; expected Nx Nz = 20");
-  auto infinite = writer_of("i.h5", fields);
+  RecordWriter infinite(file("i.h5"), small_parameters(), {}, IfExists::refuse, {}, fields);
   FieldSample bad = {0.0, 0, zeros, zeros};
   bad.u_z[7] = std::numeric_limits<float>::infinity();
   infinite.append(bad);
