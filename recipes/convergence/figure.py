@@ -5,8 +5,7 @@ import numpy as np
 
 import continuum
 from claims.own_result import OwnResult, write_own
-from measure.records import values
-from measure.tables import rows_of, write_table
+from measure.tables import rows_of, values, write_table
 from measure.front_map import IMPOSSIBLE, place_of, type_on_map
 from report.plotting import BLACK, DOUBLE, LINES, lettered, save
 

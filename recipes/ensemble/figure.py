@@ -8,8 +8,7 @@ import numpy as np
 import precursors
 
 from claims.own_result import OwnResult, write_own
-from measure.records import values
-from measure.tables import write_events
+from measure.tables import values, write_events
 from measure.fronts import is_fast_only
 from measure.loads import events_of
 from report.panels import along_interface

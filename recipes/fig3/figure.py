@@ -9,8 +9,7 @@ import slow_slip_figure
 
 from claims import paper
 from claims.claim import Number
-from measure.records import values
-from measure.tables import write_table
+from measure.tables import values, write_table
 from report.panels import draw_pinned, draw_pinned_scale
 from report.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
 

@@ -10,7 +10,7 @@ from chains.results import read_points
 from measure.tables import rows_of, write_table
 from measure.conventions import CONVENTIONS, PRIMARY
 from measure.bands import bands_of, width
-from measure.front_map import TYPES, beyond_trigger, front_type, read_map, seeds_of
+from measure.front_map import TYPES, beyond_trigger, front_type, read_map
 
 
 def types_of(front):
@@ -43,7 +43,7 @@ def make(chains, results):
     fronts = read_map(rows_of(chains["no_slip_force"]))
     rows = (
         [seed, *place, slowest(of[seed]), *types_of(of[seed]).values()]
-        for seed in seeds_of(fronts)
+        for seed in sorted({seed for of in fronts.values() for seed in of})
         for place, of in fronts.items()
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *CONVENTIONS]

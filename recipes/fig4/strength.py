@@ -19,7 +19,7 @@ import numpy as np
 
 from chains.results import read_points
 from measure.pairs import share_of_lower
-from measure.records import values
+from measure.tables import values
 from measure.fronts import LOADING_ZONE, SLOW_BELOW
 from measure.front_map import load_map, map_of_seed, type_on_map, types_of
 

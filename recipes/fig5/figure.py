@@ -4,8 +4,7 @@ import numpy as np
 import quasistatic
 import rupture
 
-from measure.records import values
-from measure.tables import write_table
+from measure.tables import values, write_table
 from measure.fronts import middle_of
 from report.panels import window_of
 from report.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save

@@ -3,8 +3,7 @@
 import numpy as np
 import rupture
 
-from measure.records import values
-from measure.tables import write_events, write_fronts
+from measure.tables import values, write_events, write_fronts
 from measure.fronts import is_fast_slow
 from report.panels import draw_ahead, draw_front_speeds, draw_image, window_of
 from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save

@@ -5,7 +5,7 @@ import numpy as np
 
 from claims import paper
 from claims.spread import spread
-from measure.records import values
+from measure.tables import values
 from measure.fronts import is_fast_only
 
 
@@ -42,6 +42,10 @@ def crossing_time(front):
     return float(end - start)
 
 
+def numbers_and_crossing(front):
+    return numbers_of(front) | {"crossing [ms]": crossing_time(front)}
+
+
 def mean_of_paper(front):
     """0.2 L in 1 ms [c_s]."""
     start, end = paper.TRANSITIONS
@@ -53,8 +57,8 @@ def numbers_of_events(shown, fast_only, most_like, events):
     `events`: of independent runs. The set is that of the events that are fast-slow-fast in words:
     an event that creeps and was never fast is none of them."""
     slow = [event for event in events if event["spanning"] and event["fast_slow_fast"]]
-    cases = [*map(numbers_of, slow)]
-    of_shown, of_most_like = numbers_of(shown), numbers_of(most_like) if most_like else {}
+    cases, of_shown = [*map(numbers_and_crossing, slow)], numbers_and_crossing(shown)
+    of_most_like = numbers_and_crossing(most_like) if most_like else {}
     of = f"{{}} of {len(slow)} fast-slow-fast events"
     rows = {
         "speed before the slow stretch [c_s]": ("fast before/c_s", paper.FAST),
@@ -63,6 +67,7 @@ def numbers_of_events(shown, fast_only, most_like, events):
         "begin of the slow stretch [L]": ("from [L]", paper.TRANSITIONS[0]),
         "end of the slow stretch [L]": ("to [L]", paper.TRANSITIONS[1]),
         "duration of the slow stretch [ms]": ("duration [ms]", paper.SLOW_FOR * 1e3),
+        "time from 0.4 L to 0.6 L [ms]": ("crossing [ms]", paper.SLOW_FOR * 1e3),
     }
     numbers = [
         spread(
@@ -77,14 +82,6 @@ def numbers_of_events(shown, fast_only, most_like, events):
     ]
     return [
         *numbers,
-        spread(
-            "time from 0.4 L to 0.6 L [ms]",
-            paper.SLOW_FOR * 1e3,
-            map(crossing_time, slow),
-            of,
-            shown=crossing_time(shown),
-            most_like=crossing_time(most_like) if most_like else None,
-        ),
         spread(
             "speed of events that are fast everywhere [c_s]",
             None,

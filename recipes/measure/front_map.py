@@ -10,8 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from measure.records import values
-from measure.tables import SLOW_STRETCH, rows_of, write_table
+from measure.tables import SLOW_STRETCH, rows_of, values, write_table
 from measure.conventions import PRIMARY
 from measure.fronts import TYPES, type_on_map
 
@@ -199,10 +198,6 @@ def band(types, sigma):
 
 
 # --- maps of single seeds ------------------------------------------------------------------
-
-
-def seeds_of(fronts):
-    return sorted({seed for seeds in fronts.values() for seed in seeds})
 
 
 def map_of_seed(fronts, seed):

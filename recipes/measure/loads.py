@@ -5,10 +5,7 @@ def name_of(point):
     """Names the run from which a point comes: `load-403`, `decaying-01`, or `damping-half-403` of
     another chain of loads."""
     variant = point["variant"]
-    try:
-        seed = point["numerics.seed"]
-    except KeyError:  # of the loads that figures show
-        seed = 1
+    seed = point["numerics.seed"] if "numerics.seed" in point.names else 1  # figures show these
     return f"{'load' if variant == 'reference' else variant}-{seed:02.0f}"
 
 

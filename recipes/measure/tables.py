@@ -105,3 +105,8 @@ def numbers(rows, column):
     """One column of such rows; NaN where it is empty."""
     cells = (row.get(column) for row in rows)
     return np.array([np.nan if cell in (None, "") else float(cell) for cell in cells])
+
+
+def values(numbers):
+    """A list from a report as an array, NaN where it says null."""
+    return np.array([np.nan if number is None else number for number in numbers])

@@ -5,7 +5,7 @@ from rupture import plotting
 from rupture.plotting import along_interface, draw_image  # noqa: F401  (for the recipes)
 from rupture.plotting import draw_pinned, draw_pinned_scale, name_line  # noqa: F401
 
-from measure.records import values
+from measure.tables import values
 from measure.fronts import LOADING_ZONE
 
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]

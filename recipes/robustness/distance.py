@@ -3,8 +3,7 @@
 import numpy as np
 
 from claims.own_result import OwnResult, write_own
-from measure.records import values
-from measure.tables import rows_of
+from measure.tables import rows_of, values
 from measure.bands import bands_of, width
 from measure.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from measure.map_panels import draw_key, draw_regions

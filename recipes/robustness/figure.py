@@ -5,8 +5,7 @@ import distance
 import geometry
 import numpy as np
 
-from measure.records import values
-from measure.tables import rows_of, write_events
+from measure.tables import rows_of, values, write_events
 from measure.fronts import is_fast_only
 from measure.front_map import read_map, types_of, write_types
 from measure.map_panels import draw_regions, name_regions

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from measure.records import values
-from measure.tables import numbers
+from measure.tables import numbers, values
 from measure.fronts import front_spans
 
 SLIPPED = 1e-6  # [m], about f_thres/k_ij
