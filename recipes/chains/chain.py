@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chains.point import HOLE, PROGRAMS
-from measure.conventions import SETS
-from measure.conventions import words_of as options_of
+from measure.conventions import SETS, words_of as options_of
 from chains.store import RESULTS, write_own
 from rupture.errors import Failure, UsageError
 from rupture.programs import DRAWING, output_of

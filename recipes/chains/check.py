@@ -48,12 +48,11 @@ def names_of(chains, chain):
             check_expression(of_list, names)
         names |= {chain.points["element"]}
     values = {name for lists in chain.lists.values() for name in lists}
-    if len(chain.lists) > 1 or "values" not in chain.lists:
-        values |= {"variant"} if chain.lists else set()
+    if chain.lists.keys() - {"values"}:
+        values |= {"variant"}
     for name in {*values, chain.points["element"]}.intersection(chain.commands):
-        raise chain.error(
-            "commands", name, f"'{name}' is the name of a value, too; take another one"
-        )
+        sentence = f"'{name}' is the name of a value, too; take another one"
+        raise chain.error("commands", name, sentence)
     return names | values | set(chain.commands)
 
 

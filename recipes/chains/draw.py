@@ -15,18 +15,13 @@ from report.plotting import made_by
 from rupture.errors import Failure
 
 
-def say_failed(name, points):
-    """How many points failed, and why."""
-    sentences = Counter(point.sentence for point in points if point.status != "done")
-    for sentence, count in sentences.items():
-        print(f"  {name}: {count} of {len(points)} points failed: {sentence}")
-
-
 def main(recipe):
     started, results = time.time(), Path("results", recipe)
     chains, script = read_chains(recipe), f"recipes/{recipe}/figure.py"
     for name, points in chains.items():
-        say_failed(name, points)
+        failed = Counter(point.sentence for point in points if point.status != "done")
+        for sentence, count in failed.items():
+            print(f"  {name}: {count} of {len(points)} points failed: {sentence}")
     points = [point for row in chains.values() for point in row]
     own = [(point.lineage[0]["path"], point.results[0]) for point in points]
     made_by[:] = origin_lines(f"./reproduce.sh {recipe}", own)

@@ -144,27 +144,23 @@ class OwnSweep:
 
     def write(self):
         """Replaces the former plan, which tells what the table is of."""
-        with errors_of(self.chain.path):
-            self.write_all()
-
-    def write_all(self):
         files = [self.stem.with_name(self.stem.name + ending) for ending in ENDINGS]
-        take(RESULTS, *files, *(self.stem.parent / "plan" / name for name in FILES))
         sections = {"sweep" if n == "chain" else n: {**s} for n, s in self.chain.sections.items()}
         own = sections.setdefault("sweep", {})
         sections |= {"units": self.sweep.units}
         own.pop("like", None)
         if len(self.chain.copies) == 1:
             own["base"] = os.path.relpath(next(iter(self.chain.copies.values())), self.stem.parent)
-        if self.chain.table:
-            copy = self.stem.with_name(f"{self.stem.name}-points.csv")
-            write_own(copy, self.chain.table.read_bytes())
-            own["points"] = own["points"].replace(self.chain.points["chain"], copy.name)
-        ini = new_ini()
-        ini.read_dict(sections)
-        text = io.StringIO()
-        ini.write(text)
-        write_own(files[0], text.getvalue().encode())
+        ini, text = new_ini(), io.StringIO()
+        with errors_of(self.chain.path):
+            take(RESULTS, *files, *(self.stem.parent / "plan" / name for name in FILES))
+            if self.chain.table:
+                copy = self.stem.with_name(f"{self.stem.name}-points.csv")
+                write_own(copy, self.chain.table.read_bytes())
+                own["points"] = own["points"].replace(self.chain.points["chain"], copy.name)
+            ini.read_dict(sections)
+            ini.write(text)
+            write_own(files[0], text.getvalue().encode())
 
 
 def result(point):
