@@ -41,8 +41,8 @@ def arrow(start, end, colour=BLACK):
     return path([start, end], colour) + path([(round(u, 2), round(v, 2)) for u, v in head], colour)
 
 
-def dot(x, y, radius=3.5, colour=BLACK):
-    return f'<circle cx="{x:g}" cy="{y:g}" r="{radius:g}" fill="{colour}"/>'
+def dot(x, y, radius=3.5):
+    return f'<circle cx="{x:g}" cy="{y:g}" r="{radius:g}" fill="{BLACK}"/>'
 
 
 def text(x, y, words, anchor="middle", size=14, colour=BLACK):
@@ -59,10 +59,8 @@ def slider():
     drawn = [text(180, 20, "a  slider, loading and interface")]
     for x in xs:
         drawn += [arrow((x, 50), (x, 78)), path([(x, ys[0]), (x, ys[-1])], GREY, 1)]
-        drawn += [
-            spring((x, ys[-1]), (x, 250), BLUE),
-            spring((x, ys[-1]), (x + 16, 250), VERMILION),
-        ]
+        drawn += [spring((x, ys[-1]), (x, 250), BLUE)]
+        drawn += [spring((x, ys[-1]), (x + 16, 250), VERMILION)]
     drawn += [path([(xs[0], y), (xs[-1], y)], GREY, 1) for y in ys]
     drawn += [dot(x, y) for x in xs for y in ys]
     drawn += [path([(60, 250), (300, 250)], BLACK, 2), text(180, 44, "F_N")]
@@ -71,10 +69,8 @@ def slider():
     drawn += [path([(300, ys[-2]), (300, ys[-1])]), text(312, ys[-2] + 20, "h", "start")]
     drawn += [arrow((60, 290), (120, 290)), text(130, 295, "x", "start")]
     drawn += [arrow((60, 290), (60, 262)), text(48, 270, "z")]
-    return drawn + [
-        text(160, 275, "foundation k_f", "start", 12, BLUE),
-        text(160, 295, "N_s junctions per block", "start", 12, VERMILION),
-    ]
+    drawn += [text(160, 275, "foundation k_f", "start", 12, BLUE)]
+    return drawn + [text(160, 295, "N_s junctions per block", "start", 12, VERMILION)]
 
 
 def block():
@@ -84,13 +80,10 @@ def block():
     for a, b in [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)]:
         end = x + a * far, y + b * far
         drawn += [spring((x, y), end, BLACK if a * b == 0 else GREY, 8), dot(*end)]
-    return drawn + [
-        dot(x, y, 6),
-        text(x + 40, y - 10, "k, η"),
-        text(x + 48, y + 36, "k/2, η", "start", colour=GREY),
-        text(x, 255, "m = M/(N_x N_z)"),
-        text(x, 280, "k = 3BE/4,  η² = 0.1 k m", size=12),
-    ]
+    drawn += [dot(x, y, 6), text(x + 40, y - 10, "k, η")]
+    drawn += [text(x + 48, y + 36, "k/2, η", "start", colour=GREY)]
+    drawn += [text(x, 255, "m = M/(N_x N_z)")]
+    return drawn + [text(x, 280, "k = 3BE/4,  η² = 0.1 k m", size=12)]
 
 
 def junction():
@@ -106,12 +99,10 @@ def junction():
     drawn += [path([(x + 70, 165), (x + 150, 165)], VERMILION, 2.5)]
     drawn += [path([(x + 150, 165), (x + 150, y)], VERMILION, 2.5, "3 3")]
     drawn += [path([(x + 150, y), (x + 220, 90)], VERMILION, 2.5)]
-    return drawn + [
-        text(x + 74, 82, "breaks", "start", 12),
-        text(x + 110, 157, "slips for t_R", "middle", 12),
-        text(x + 154, 222, "pinned, f_new = 0", "start", 12),
-        text(740, 280, "f_thres = μ_s f_N,  f_slip = μ_d f_N,  f_N = p_i/N_s", size=12),
-    ]
+    drawn += [text(x + 74, 82, "breaks", "start", 12), text(x + 110, 157, "slips for t_R", size=12)]
+    drawn += [text(x + 154, 222, "pinned, f_new = 0", "start", 12)]
+    law = "f_thres = μ_s f_N,  f_slip = μ_d f_N,  f_N = p_i/N_s"
+    return drawn + [text(740, 280, law, size=12)]
 
 
 def drawing():

@@ -6,7 +6,6 @@ import struct
 import sys
 import time
 from collections import Counter
-from dataclasses import dataclass
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -34,24 +33,16 @@ MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
 
-@dataclass(frozen=True)
-class Picture:
-    name: str
-    pdf: str | None
-    width: int  # [pixels]
-    height: int
-    alt: str  # what is seen, in words
-
-
 def picture(path, alt):
-    """Width and height stand in a PNG after its signature and the name of the first chunk."""
+    """Its files, its size in pixels, and what is seen, in words. Width and height stand in a PNG
+    after its signature and the name of the first chunk."""
     with open(path, "rb") as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":
         raise Failure(f"{path} is not a PNG: delete it, and draw it again.")
-    width, height = struct.unpack(">II", head[16:24])
+    size = dict(zip(("width", "height"), struct.unpack(">II", head[16:24])))
     pdf = path.with_suffix(".pdf")
-    return Picture(path.name, pdf.name if pdf.exists() else None, width, height, alt)
+    return size | {"name": path.name, "pdf": pdf.name if pdf.exists() else None, "alt": alt}
 
 
 def files_of(folder, pattern):
