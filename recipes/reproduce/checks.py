@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from reproduce.project import LOGS, say, use_own_environment
-from reproduce.processes import build, ensure_packages, set_up
+from reproduce.processes import ensure_packages, set_up
 
 CPP = "find include src tests benchmarks -name '*.[ch]pp' -o -name '*.h' | sort"
 SHELL = (
@@ -58,7 +58,7 @@ def slowest_tests(log):
 
 
 def run_tests(request, processes):
-    build(processes, request.cores, "all", "run", "test")
+    set_up(processes, "build", request.cores, "all", "run", "test")
     code = run_ctest(processes, "release", log := LOGS / "test.log", request.cores)
     if log.exists():
         say("\nThe slowest tests:")
@@ -69,7 +69,7 @@ def run_tests(request, processes):
 
 def test_slurm(request, processes):
     """If SLURM cannot be installed, ctest reports that these tests were skipped."""
-    build(processes, request.cores, "tools", "run")
+    set_up(processes, "build", request.cores, "tools", "run")
     try:
         ensure_packages(processes, "slurm")
     except SystemExit:

@@ -16,7 +16,7 @@ from reproduce.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, READ, ROOT, SHARE, refuse_links, say
 from reproduce.project import use_own_environment
-from reproduce.processes import build, ensure_packages
+from reproduce.processes import ensure_packages, set_up
 from claims.print_claims import print_claims
 
 RESULTS = Path("results")
@@ -31,9 +31,8 @@ INSIDE_STEP = re.compile(r"\d{1,6}")  # the interactive step of salloc has a lar
 
 def count_cores(text):
     """The cores of all nodes: SLURM_JOB_CPUS_PER_NODE is like 16(x2),8."""
-    return sum(
-        int(cores) * int(nodes or 1) for cores, nodes in re.findall(r"(\d+)(?:\(x(\d+)\))?", text)
-    )
+    found = re.findall(r"(\d+)(?:\(x(\d+)\))?", text)
+    return sum(int(cores) * int(nodes or 1) for cores, nodes in found)
 
 
 def memory_of_allocation(environment, cores):
@@ -91,17 +90,9 @@ def prepare(request, processes):
     if request.programs:
         ensure_packages(processes, "run")
     elif processes.has_turn:  # else another run builds the same
-        build(processes, request.cores, "tools", "run")
+        set_up(processes, "build", request.cores, "tools", "run")
     use_own_environment()
     return place_of(request)
-
-
-def note_run(recipes, place, started):
-    """Notes for the report which recipes ran, with how many cores, when, and for how long."""
-    run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
-    run["seconds"] = int(time.time() - started)
-    with append_to(RESULTS / "runs.jsonl") as file:
-        print(json.dumps(run), file=file)
 
 
 def run_recipes(request, processes, recipes, place):
@@ -168,6 +159,7 @@ def run_ninja(processes, place, own=None, **wanted):
 
 
 def reproduce(request, recipes, processes):
+    """Notes for the report which recipes ran, with how many cores, when, and for how long."""
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place.name} ...")
@@ -179,7 +171,9 @@ def reproduce(request, recipes, processes):
     if has_failed:
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
-    note_run(recipes, place, started)
+    run = {"recipes": names, "where": place.name, "started": int(started)}
+    with append_to(RESULTS / "runs.jsonl") as file:
+        print(json.dumps(run | {"seconds": int(time.time() - started)}), file=file)
     for name in recipes:
         print_claims(name, RESULTS.resolve(), ROOT)
 

@@ -75,21 +75,17 @@ class Processes:
         elif not self.is_starting:  # else run() will see it
             sys.exit(128 + self.received)
 
-    def start(self, command, options):
-        """setpriv: a signal for it if we are killed."""
-        return subprocess.Popen(
-            ["setpriv", "--pdeathsig", "INT", *map(str, command)],
-            stdin=subprocess.DEVNULL,
-            start_new_session=True,
-            pass_fds=[self.lock],
-            **options,
-        )
-
     def run(self, command, follow=None):
         """Runs a program and returns its exit code. `follow` gets the lines that it prints. Of a
         program that fails, processes that it leaves running are ended."""
         self.is_starting = True
-        process = self.start(command, FOLLOWED if follow else {})
+        process = subprocess.Popen(
+            ["setpriv", "--pdeathsig", "INT", *map(str, command)],  # gets a signal if we are killed
+            stdin=subprocess.DEVNULL,
+            start_new_session=True,
+            pass_fds=[self.lock],
+            **(FOLLOWED if follow else {}),
+        )
         self.group, self.is_starting = process.pid, False
         if self.received:
             end_group(process.pid, self.ending)
@@ -105,11 +101,8 @@ class Processes:
         return code
 
 
-# --- packages and programs, by set-up.sh ----------------------------------------------------
-
-
 def set_up(processes, *words):
-    """If the script fails, it has printed the reason."""
+    """Runs set-up.sh for packages and programs. If it fails, it has printed the reason."""
     if code := processes.run(["bash", SET_UP, *words]):
         sys.exit(code)
 
@@ -118,8 +111,3 @@ def ensure_packages(processes, *purposes):
     """Installs what is missing. An installed rupture has its packages."""
     if not WORK:
         set_up(processes, "packages", *purposes)
-
-
-def build(processes, cores, target, *purposes):
-    """Builds a target. Packages for these purposes are installed in the meantime."""
-    set_up(processes, "build", cores, target, *purposes)
