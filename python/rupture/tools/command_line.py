@@ -137,12 +137,9 @@ def exit_code(run, say):
             return run() or 0
         finally:  # also after --help
             sys.stdout.flush()
-    except UsageError as error:
-        say(error)
-        return 2
     except Failure as error:
         say(error)
-        return 1
+        return 2 if isinstance(error, UsageError) else 1
     except OSError as error:  # those of other files are Failures
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
         if isinstance(error, BrokenPipeError):  # such as that of `| head`

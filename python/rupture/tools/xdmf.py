@@ -87,14 +87,6 @@ def steps_of(files):
     ]
 
 
-def refuse_odd_names(names):
-    """Refuses names that XDMF cannot refer to: it is XML, and a colon ends a file's name."""
-    for name in names:
-        if ":" in name or not name.isprintable():
-            what = "a colon" if ":" in name else "an unusual character"
-            raise Failure(f"{name} has {what} in its name, which XDMF cannot refer to; rename it")
-
-
 def write_derived(group, step):
     """Writes the quantities that are computed."""
     arrays = step.arrays()
@@ -186,7 +178,10 @@ def write_numbers(path, steps):
 def write_all(steps, output, derived, force):
     """Renames neither file before both are written, and last the one that refers to the other."""
     beside = [os.path.relpath(step.file.path, output.parent) for step in steps]
-    refuse_odd_names([*beside, derived.name])
+    for name in (*beside, derived.name):  # XDMF is XML, in which a colon ends a file's name
+        if ":" in name or not name.isprintable():
+            what = "a colon" if ":" in name else "an unusual character"
+            raise Failure(f"{name} has {what} in its name, which XDMF cannot refer to; rename it")
     grids = [
         grids_of(step, path, f"{derived.name}:/{number:04}")
         for number, (step, path) in enumerate(zip(steps, beside))
