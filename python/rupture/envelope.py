@@ -27,21 +27,16 @@ ROWS = re.compile(r"\[\d+\]")
 EXPLANATIONS = {CHECKPOINT: WHOLE, RECORD: WHOLE, PART: PIECE}
 
 
-def refuse_what_is_no_file(path):
-    """Call it before opening the path: opening a pipe would wait for its other end."""
-    if not os.fspath(path):
-        raise Failure(f"the name of an input is empty; {WANTED}")
-    mode = os.stat(path).st_mode
-    if stat.S_ISDIR(mode):
-        raise Failure(f"{path} is a folder; {WANTED}")
-    if not stat.S_ISREG(mode):
-        raise Failure(f"{path} is not a regular file; {WANTED}")
-
-
 def mapped(path):
     """The bytes of a file, as they are now, without a copy."""
     try:
-        refuse_what_is_no_file(path)
+        if not os.fspath(path):
+            raise Failure(f"the name of an input is empty; {WANTED}")
+        mode = os.stat(path).st_mode  # before it is opened: a pipe would wait for its other end
+        if stat.S_ISDIR(mode):
+            raise Failure(f"{path} is a folder; {WANTED}")
+        if not stat.S_ISREG(mode):
+            raise Failure(f"{path} is not a regular file; {WANTED}")
         with open(path, "rb") as file:
             return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
     except (FileNotFoundError, NotADirectoryError):

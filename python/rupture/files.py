@@ -125,8 +125,7 @@ class File(Mapping):
         >>> record.units("tau"), record.units("slider.L")
         ('N', 'm')
         """
-        attributes = self.dataset(name).attrs
-        return text(attributes["unit"])
+        return text(self.dataset(name).attrs["unit"])
 
     @cached_property
     def parameters(self):
