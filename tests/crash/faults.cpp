@@ -12,55 +12,48 @@
 // calls that the tools make; power_cut_test.py fails if they change files by others.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
+#include <span>
 #include <string>
+#include <tuple>
 
 namespace {
-
-enum class Fault { none, kill, shorten, error, lasting_error };
-
-struct Plan {
-  long at = 0;
-  Fault fault = Fault::none;
-  int error = 0;
-  int log = -1;
-};
 
 template <class Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
 }
 
-Plan read_plan() {
-  Plan plan;
-  if (const char* log = std::getenv("FAULT_LOG")) {
-    // Far from the numbers that the tool gets, so that it sees the same ones as ever.
-    const int fd = next<int(const char*, int, ...)>("open")(
-        log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    plan.log = ::fcntl(fd, F_DUPFD_CLOEXEC, 900);
-  }
-  const char* at = std::getenv("FAULT_AT");
-  const char* fault = std::getenv("FAULT");
-  if (at == nullptr || fault == nullptr) return plan;
-  plan.at = std::atol(at);
-  const std::string word = fault;
-  plan.error = std::atoi(fault);
-  plan.fault = word == "kill"       ? Fault::kill
-               : word == "short"    ? Fault::shorten
-               : word.back() == '+' ? Fault::lasting_error
-                                    : Fault::error;
-  return plan;
+std::string setting(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
 }
 
+// Far from the numbers that the tool gets, so that it sees the same ones as ever; -1 without a log.
+int open_log() {
+  const std::string log = setting("FAULT_LOG");
+  if (log.empty()) return -1;
+  const int fd = next<int(const char*, int, ...)>("open")(
+      log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  return ::fcntl(fd, F_DUPFD_CLOEXEC, 900);
+}
+
+struct Plan {
+  long at = std::atol(setting("FAULT_AT").c_str());
+  std::string fault = setting("FAULT");
+  int error = std::atoi(fault.c_str());  // 0 for a word
+  int log = open_log();
+};
+
 const Plan& plan() {
-  static const Plan read = read_plan();
+  static const Plan read;
   return read;
 }
 
@@ -68,8 +61,8 @@ long calls = 0;
 std::array<bool, 1024> watched{};  // descriptors of files in the working folder
 
 bool is_watched(int fd) {
-  return fd >= 0 && static_cast<std::size_t>(fd) < watched.size() &&
-         watched[static_cast<std::size_t>(fd)];
+  const auto number = static_cast<std::size_t>(fd);
+  return number < watched.size() && watched[number];
 }
 
 bool is_watched(const char* path) {
@@ -82,57 +75,31 @@ enum class Needs { nothing, room };
 bool fails(Needs needs) {
   ++calls;
   const bool now = calls == plan().at;
-  if (now && plan().fault == Fault::kill) ::raise(SIGKILL);
-  const bool later =
-      plan().fault == Fault::lasting_error && calls > plan().at && needs == Needs::room;
+  if (now && plan().fault == "kill") ::raise(SIGKILL);
+  const bool later = plan().fault.ends_with('+') && calls > plan().at && needs == Needs::room;
   if (plan().error == 0 || !(now || later)) return false;
   errno = plan().error;
   return true;
 }
 
 // A line of the log; the call's own errno stays.
-void log(const char* format, ...) __attribute__((format(printf, 1, 2)));
-void log(const char* format, ...) {
+template <class... Values>
+void log(fmt::format_string<Values...> format, Values&&... values) {
   if (plan().log < 0) return;
   const int error = errno;
-  va_list arguments;
-  va_start(arguments, format);
-  ::vdprintf(plan().log, format, arguments);
-  va_end(arguments);
+  const std::string line = fmt::format(format, std::forward<Values>(values)...);
+  ::dprintf(plan().log, "%s\n", line.c_str());
   errno = error;
 }
 
-std::string hexadecimal(const void* bytes, std::size_t size) {
-  constexpr const char* digits = "0123456789abcdef";
-  std::string text;
-  for (std::size_t i = 0; i < size; ++i) {
-    const unsigned byte = static_cast<const unsigned char*>(bytes)[i];
-    text += digits[byte >> 4U];
-    text += digits[byte & 15U];
-  }
-  return text;
-}
-
-// `done` is what the real call returned.
-int logged(int done, const char* call, const char* a, const char* b = "") {
-  log("%s%s %s %s\n", done == 0 ? "" : "failed-", call, a, b);
-  return done;
-}
-
-// A call on an open file that gives 0, with its arguments in the log.
-template <class Call>
-int call_on(int fd, Needs needs, const char* name, const std::string& arguments, const Call& call) {
-  if (!is_watched(fd)) return call();
+// A call that gives 0, on an open file or of names, with the words of its line in the log.
+template <class Call, class... Words>
+int counted(bool is_ours, Needs needs, const Call& call, const Words&... words) {
+  if (!is_ours) return call();
   if (fails(needs)) return -1;
-  return logged(call(), name, arguments.c_str());
-}
-
-// A call that gives a file another name, or takes it away.
-template <class Call>
-int change_name(const char* name, const char* from, const char* to, const Call& call) {
-  if (!is_watched(from)) return call();
-  if (fails(Needs::nothing)) return -1;
-  return logged(call(), name, from, to);
+  const int done = call();
+  log("{}{}", done == 0 ? "" : "failed-", fmt::join(std::tuple(words...), " "));
+  return done;
 }
 
 }  // namespace
@@ -151,7 +118,7 @@ int open(const char* path, int flags, ...) {
   const int fd = real(path, flags, mode);
   const bool reads = (flags & O_ACCMODE) == O_RDONLY;
   const char* how = reads ? "read" : (flags & O_TRUNC) != 0 ? "truncate" : "write";
-  log("%s %d %s %s\n", fd < 0 ? "failed-open" : "open", fd, path, how);
+  log("{} {} {} {}", fd < 0 ? "failed-open" : "open", fd, path, how);
   if (fd >= 0) watched.at(static_cast<std::size_t>(fd)) = true;
   return fd;
 }
@@ -159,14 +126,14 @@ int open(const char* path, int flags, ...) {
 ssize_t write(int fd, const void* bytes, size_t size) {
   static auto* real = next<ssize_t(int, const void*, size_t)>("write");
   if (!is_watched(fd)) return real(fd, bytes, size);
-  if (calls + 1 == plan().at && plan().fault == Fault::shorten && size > 1) size /= 2;
+  if (calls + 1 == plan().at && plan().fault == "short" && size > 1) size /= 2;
   if (fails(Needs::room)) return -1;
   const ssize_t written = real(fd, bytes, size);
   if (written < 0) {
-    log("failed-write %d\n", fd);
+    log("failed-write {}", fd);
   } else {
-    log("write %d %lld %s\n", fd, static_cast<long long>(::lseek(fd, 0, SEEK_CUR) - written),
-        hexadecimal(bytes, static_cast<std::size_t>(written)).c_str());
+    const std::span done(static_cast<const unsigned char*>(bytes), static_cast<size_t>(written));
+    log("write {} {} {:02x}", fd, ::lseek(fd, 0, SEEK_CUR) - written, fmt::join(done, ""));
   }
   return written;
 }
@@ -175,53 +142,54 @@ ssize_t read(int fd, void* bytes, size_t size) {
   static auto* real = next<ssize_t(int, void*, size_t)>("read");
   if (!is_watched(fd)) return real(fd, bytes, size);
   if (fails(Needs::nothing)) return -1;
-  log("read %d\n", fd);
+  log("read {}", fd);
   return real(fd, bytes, size);
 }
 
 int ftruncate(int fd, off_t length) {
   static auto* real = next<int(int, off_t)>("ftruncate");
-  const std::string arguments = std::to_string(fd) + " " + std::to_string(length);
-  return call_on(fd, Needs::room, "truncate", arguments, [&] { return real(fd, length); });
+  const auto call = [&] { return real(fd, length); };
+  return counted(is_watched(fd), Needs::room, call, "truncate", fd, length);
 }
 
 int fsync(int fd) {
   static auto* real = next<int(int)>("fsync");
-  return call_on(fd, Needs::nothing, "fsync", std::to_string(fd), [&] { return real(fd); });
+  const auto call = [&] { return real(fd); };
+  return counted(is_watched(fd), Needs::nothing, call, "fsync", fd);
 }
 
 int close(int fd) {
   static auto* real = next<int(int)>("close");
   if (!is_watched(fd)) return real(fd);
   watched[static_cast<std::size_t>(fd)] = false;
-  const bool failed = fails(Needs::nothing);
-  const int error = errno;
-  const int done = real(fd);  // Linux closes it also when it reports an error
-  if (!failed) return logged(done, "close", std::to_string(fd).c_str());
-  errno = error;
-  return -1;
+  const auto call = [&] { return real(fd); };
+  const int done = counted(true, Needs::nothing, call, "close", fd);
+  if (done != 0) call();  // Linux closes it also when it reports an error
+  return done;
 }
 
 int rename(const char* from, const char* to) {
   static auto* real = next<int(const char*, const char*)>("rename");
-  return change_name("rename", from, to, [&] { return real(from, to); });
+  const auto call = [&] { return real(from, to); };
+  return counted(is_watched(from), Needs::nothing, call, "rename", from, to);
 }
 
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
   static auto* real = next<int(int, const char*, int, const char*, unsigned)>("renameat2");
-  return change_name("rename", from, to,
-                     [&] { return real(from_folder, from, to_folder, to, flags); });
+  const auto call = [&] { return real(from_folder, from, to_folder, to, flags); };
+  return counted(is_watched(from), Needs::nothing, call, "rename", from, to);
 }
 
 int link(const char* from, const char* to) {
   static auto* real = next<int(const char*, const char*)>("link");
-  if (!is_watched(from)) return real(from, to);
-  return fails(Needs::room) ? -1 : logged(real(from, to), "link", from, to);
+  const auto call = [&] { return real(from, to); };
+  return counted(is_watched(from), Needs::room, call, "link", from, to);
 }
 
 int unlink(const char* path) {
   static auto* real = next<int(const char*)>("unlink");
-  return change_name("unlink", path, "", [&] { return real(path); });
+  const auto call = [&] { return real(path); };
+  return counted(is_watched(path), Needs::nothing, call, "unlink", path);
 }
 }
 // NOLINTEND
