@@ -37,7 +37,7 @@ double sum_of_last_two(const std::vector<double>& values) {
 /// stretch is as long as the record's buffer, so that each holds one flush (of fields, some three).
 /// The runs change roles after each stretch: where their arrays lie in memory must not matter.
 /// Iterations are stretches.
-void record_cost(benchmark::State& bench, Fields fields, std::int64_t every) {
+void record(benchmark::State& bench, Fields fields, std::int64_t every) {
   const std::int64_t stretch = 256 * every;
   const RecordParts parts = {.fields = fields};
   const Parameters p;
@@ -82,14 +82,9 @@ void record_cost(benchmark::State& bench, Fields fields, std::int64_t every) {
 BENCHMARK(equilibrium_solve)->Name("once/equilibrium_solve");
 BENCHMARK(checkpoint_write)->Name("once/checkpoint_write")->UseRealTime();
 BENCHMARK(checkpoint_read)->Name("once/checkpoint_read")->UseRealTime();
-BENCHMARK_CAPTURE(record_cost, series, Fields::omit, 50)  // 10 us
-    ->Name("record/cost")
-    ->UseManualTime()
-    ->Iterations(16);
-BENCHMARK_CAPTURE(record_cost, fields, Fields::record, 100)  // 20 us
-    ->Name("record/fields")
-    ->UseManualTime()
-    ->Iterations(16);
+// Every 10 us and 20 us.
+BENCHMARK_CAPTURE(record, cost, Fields::omit, 50)->UseManualTime()->Iterations(16);
+BENCHMARK_CAPTURE(record, fields, Fields::record, 100)->UseManualTime()->Iterations(16);
 
 }  // namespace
 }  // namespace rupture::bench

@@ -1,13 +1,12 @@
 // The time step and its parts at reference size, 57 x 31 blocks and 5,700 junctions; and how its
 // cost grows with the size of the slider and falls with the number of threads.
 #include <algorithm>
-#include <random>
 #include <thread>
 
 #include "run/plan.hpp"
 #include "rupture/analysis/statistics.hpp"
-#include "rupture/model/derived.hpp"
 #include "sliders.hpp"
+#include "support/sliders.hpp"
 
 namespace rupture::bench {
 namespace {
@@ -56,14 +55,9 @@ void step_sliding(benchmark::State& bench) {
 /// Free blocks somewhat away from their places, as in lammps/bulk.in.
 State shaken(const Parameters& p) {
   State state(p);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> shift(-1e-4 * block_spacing(p), 1e-4 * block_spacing(p));
-  for (Eigen::Index j = 0; j < p.Nz; ++j) {
-    for (Eigen::Index i = 0; i < p.Nx; ++i) {
-      state.u_x(i, j) = shift(random);
-      state.u_z(i, j) = shift(random);
-    }
-  }
+  testing::Noise shift(1e-4 * block_spacing(p));
+  shift.fill(state.u_x);
+  shift.fill(state.u_z);
   return state;
 }
 
@@ -122,16 +116,10 @@ void junctions(benchmark::State& bench, double repin_time) {
 /// The reference slider `factor` times as long and high, with the same spacing of blocks, load per
 /// length, density and driving height: (56 factor + 1) x (30 factor + 1) blocks.
 Parameters enlarged(std::int64_t factor) {
-  const Parameters reference;
-  const auto times = static_cast<double>(factor);
-  Parameters p = reference;
-  p.L *= times;
-  p.H *= times;
-  p.Nx = (reference.Nx - 1) * factor + 1;
-  p.Nz = (reference.Nz - 1) * factor + 1;
-  p.F_N = mean_normal_force(reference) * static_cast<double>(p.Nx);
-  p.M = block_mass(reference) * static_cast<double>(p.Nx * p.Nz);
-  return p;
+  const Parameters p;
+  Parameters larger = testing::small_slider((p.Nx - 1) * factor + 1, (p.Nz - 1) * factor + 1);
+  larger.h = p.h;
+  return larger;
 }
 
 /// The same run with 1, 2, 4, ... threads, in turn; iterations are turns.

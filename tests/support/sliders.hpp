@@ -1,8 +1,6 @@
 // Small sliders for tests, and what the tests do with them.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <random>
 #include <string>
 
