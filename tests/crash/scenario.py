@@ -4,7 +4,6 @@ import functools
 import os
 import re
 import shlex
-import shutil
 import subprocess
 import tempfile
 from contextlib import contextmanager
@@ -78,19 +77,17 @@ def faulted(scenario, fault, at):
         return run(scenario.command, folder.path, **settings), folder.files()
 
 
-class Folder:
-    """A temporary folder with the given files; `with Folder(files) as folder`."""
+class Folder(tempfile.TemporaryDirectory):
+    """With the given files; `with Folder(files) as folder`."""
 
     def __init__(self, files):
-        self.path = Path(tempfile.mkdtemp(prefix="rupture-crash-", dir=MEMORY))
+        super().__init__(prefix="rupture-crash-", dir=MEMORY)
+        self.path = Path(self.name)
         for name, data in files.items():
             (self.path / name).write_bytes(data)
 
     def __enter__(self):
         return self
-
-    def __exit__(self, *_):
-        shutil.rmtree(self.path)
 
     def files(self):
         return {entry.name: entry.read_bytes() for entry in self.path.iterdir()}

@@ -1,15 +1,19 @@
-"""The same command started twice at the same moment, in one folder: one of the two gives way."""
+"""What surrounds a run: the same command started twice at the same moment in one folder, of which
+one gives way; standard streams that are closed or lose their reader; a record that is moved."""
 
 import re
+import shlex
+import signal
 import subprocess
 
 import pytest
 
-from conftest import BIN, run
+from conftest import BIN, run, started
 from scenario import INPUTS, LOAD, LONG, PREPARE, Folder, case, kept_in, made, sums, without_notes
 
 CONTAINERS = ["unshare", "--pid", "--fork"]  # both processes have the number 1
 PAIRS = 120 if LONG else 10
+LONGER = LOAD.replace("4e-4", "1e-3 --set driving.V=0.01") + " --sum"
 
 
 def run_pair(command, folder, containers):
@@ -24,6 +28,15 @@ def run_pair(command, folder, containers):
     return [(process.returncode, words) for process, words in zip(both, said)]
 
 
+def check_files(folder, wanted):
+    """Those of a run that is alone."""
+    files = folder.files()
+    assert sums(files) == wanted
+    for name in wanted:
+        folder.must_run(f"analyze verify {name.removesuffix('.sum')}")
+    return files
+
+
 def check(command, options, codes, containers=()):
     """The folder ends as after one run; who fails says why in a sentence."""
     command = f"{command} --sum {options}"
@@ -35,10 +48,7 @@ def check(command, options, codes, containers=()):
             for code, words in ends:
                 sentence = r"\w+: [^\n]*(another run|exists; give --)[^\n]*\n"
                 assert re.fullmatch(sentence if code else "", without_notes(words)), words
-            files = folder.files()
-            assert sums(files) == wanted
-            for name in wanted:
-                folder.must_run(f"analyze verify {name.removesuffix('.sum')}")
+            files = check_files(folder, wanted)
             kept_in("".join(words for _, words in ends), files, files)
 
 
@@ -53,3 +63,38 @@ def test_of_two_starts_exactly_one_succeeds(command, containers):
 @pytest.mark.parametrize("option", ["--force", "--resume"])
 def test_that_may_replace_files_leaves_those_of_one_run(option):
     check(LOAD, option, [[0, 1], [0, 0]])  # the second may begin when the first is done
+
+
+@pytest.fixture(scope="module")
+def whole():
+    return sums(made("alone", LONGER, INPUTS).new)
+
+
+@pytest.mark.parametrize(
+    ("redirections", "end"),
+    [
+        ("| true", (128 + signal.SIGPIPE, "")),
+        ("2>&-", (0, "")),
+        ("<&- 2>&-", (0, "")),
+        (">&-", (1, "load: cannot write to standard output\n")),
+        ("<&- >&- 2>&-", (1, "")),
+    ],
+)
+def test_a_stream_that_is_closed_or_has_no_reader_costs_no_file(redirections, end, whole):
+    with Folder(INPUTS) as folder:
+        script = f"set -o pipefail; {shlex.quote(str(BIN))}/{LONGER} {redirections}"
+        done = run("bash", "-c", script, cwd=folder.path)
+        assert (done.returncode, done.stderr) == end
+        check_files(folder, whole)
+
+
+def test_a_record_that_is_moved_is_the_same_file_under_another_name(whole):
+    tool, *options = shlex.split(LONGER)
+    with Folder(INPUTS) as folder:
+        command, part = [BIN / tool, *options, "-q"], folder.path / "r.h5.part"
+        with started(command, part, cwd=folder.path, stderr=subprocess.PIPE) as process:
+            part.rename(folder.path / "moved")
+            _, said = process.communicate(timeout=120)
+        assert (process.returncode, said) == (0, b"")
+        check_files(folder, whole)
+        assert "moved" in folder.files()
