@@ -36,6 +36,12 @@ def run(program, *words, **options):
     return subprocess.run(command, capture_output=True, text=True, check=False, **options)
 
 
+def succeeds(program, *words, **options):
+    done = run(program, *words, **options)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done
+
+
 def tools_described():
     """What all programs say of themselves."""
     listed = json.loads(run("rupture", "--describe").stdout)["tools"]

@@ -1,11 +1,10 @@
 """Sources in any folder: which commit a build of them states, and that line ends stay."""
 
 import os
-import subprocess
 
 import pytest
 
-from conftest import ODD, ROOT, need, run, skip
+from conftest import ODD, ROOT, need, run, skip, succeeds
 
 need("git")
 PROJECT = f"""cmake_minimum_required(VERSION 3.25)
@@ -19,7 +18,7 @@ OF_ANOTHER_USER = "unknown (the git repository belongs to another user)"
 
 def git(folder, *words):
     who = ("-c", "user.name=x", "-c", "user.email=x@x")
-    subprocess.run(["git", *who, *words], cwd=folder, check=True, capture_output=True)
+    succeeds("git", *who, *words, cwd=folder)
 
 
 def make_repository(folder, tag):
@@ -49,8 +48,7 @@ def test_only_the_repository_of_the_sources_names_the_commit(folder, own, variab
     (source / "CMakeLists.txt").write_text(PROJECT)
     os.chown(source, owner or os.geteuid(), -1)
     for words in ("-S . -B ../build -G Ninja", "--build ../build --target rupture_version"):
-        done = run("cmake", *words.split(), cwd=source, env=os.environ | variables)
-        assert done.returncode == 0, done.stdout + done.stderr
+        succeeds("cmake", *words.split(), cwd=source, env=os.environ | variables)
     assert f'text_of_commit[128] = "{commit}";' in (folder / "build/version.cpp").read_text()
 
 
