@@ -102,11 +102,6 @@ fs::path temporary_path(const fs::path& path) {
   return folder_of(path) / fmt::format(".{}.tmp.{:08x}", path.filename().string(), number);
 }
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(fd_, other.fd_);
-  return *this;
-}
-
 Descriptor::~Descriptor() {
   if (fd_ >= 0) ::close(fd_);
 }

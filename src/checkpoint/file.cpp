@@ -51,10 +51,6 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
   return *std::move(bytes);
 }
 
-std::vector<std::byte> bytes_of_file(const fs::path& path) {
-  return read_start(path, readable_size(path));
-}
-
 std::string sum_line(const std::string& checksum, const fs::path& path) {
   return fmt::format("{}  {}\n", labelled(checksum), path.filename().string());
 }
@@ -221,7 +217,7 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
 
 ContentFile read_file(const fs::path& path, Opening opening) {
   identify(path);  // of a file that is not ours the start is enough
-  const auto bytes = bytes_of_file(path);
+  const auto bytes = read_start(path, readable_size(path));
   try {
     return read_bytes(bytes, path.string(), opening);
   } catch (const BrokenSeal&) {
@@ -242,7 +238,7 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 }
 
 EditedFile read_edited(const fs::path& path) {
-  const auto bytes = bytes_of_file(path);
+  const auto bytes = read_start(path, readable_size(path));
   const std::string name = path.string();
   if (bytes.empty()) fail("{} is empty; expected a checkpoint or record", name);
   try {

@@ -10,12 +10,7 @@
 namespace rupture {
 namespace {
 
-struct Member {
-  std::string_view name;
-  std::string ProvenanceEntry::*value;
-};
-
-constexpr std::array<Member, 7> kMembers = {{
+constexpr std::array<std::pair<std::string_view, std::string ProvenanceEntry::*>, 7> kMembers = {{
     {"tool", &ProvenanceEntry::tool},
     {"version", &ProvenanceEntry::version},
     {"commit", &ProvenanceEntry::commit},
@@ -95,8 +90,8 @@ std::string shell_line(const std::vector<std::string>& arguments) {
 Content provenance_content(const std::vector<ProvenanceEntry>& chain) {
   Content content;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    for (const Member& member : kMembers) {
-      content[entry_path(i, member.name)] = make_text(chain[i].*member.value);
+    for (const auto& [name, member] : kMembers) {
+      content[entry_path(i, name)] = make_text(chain[i].*member);
     }
   }
   return content;
@@ -106,8 +101,8 @@ std::vector<ProvenanceEntry> read_provenance(const Content& content) {
   // Reading that many entries in sequence fails at the first that is incomplete or misplaced.
   std::vector<ProvenanceEntry> chain(count_entries(content));
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    for (const Member& member : kMembers) {
-      chain[i].*member.value = read_text(content, entry_path(i, member.name));
+    for (const auto& [name, member] : kMembers) {
+      chain[i].*member = read_text(content, entry_path(i, name));
     }
   }
   refuse_others(content, kProvenanceGroup, provenance_content(chain),

@@ -16,44 +16,33 @@ inline constexpr const char* kCrossingsGroup = "/crossings/";
 inline constexpr const char* kFieldsGroup = "/fields/";
 inline constexpr const char* kCrossingLevels = "/crossings/levels";  // those asked for
 
-/// A dataset with a row per sample: one value, or one per interface block.
-template <class InSample, class InRecord>
-struct Series {
-  const char* path;
-  const char* unit;
-  const char* long_name;  // in the words of CF: what a plot writes along its axis
-  InSample Sample::*member;
-  InRecord Record::*in_record;
-};
-template <class InSample, class InRecord>
-Series(const char*, const char*, const char*, InSample Sample::*, InRecord Record::*)
-    -> Series<InSample, InRecord>;
-
-inline constexpr std::tuple kSeries = {
-    Series{"/series/time", "s", "time", &Sample::time, &Record::time},
-    Series{"/series/step", "1", "time step", &Sample::step, &Record::step},
-    Series{"/series/F_T", "N", "driving force", &Sample::F_T, &Record::F_T},
-    Series{"/series/x_drive", "m", "position of the driving point", &Sample::x_drive,
-           &Record::x_drive},
-    Series{"/series/pinned", "1", "pinned junctions of the block", &Sample::pinned,
-           &Record::pinned},
-    Series{"/series/p", "N", "normal force on the block", &Sample::p, &Record::p},
-    Series{"/series/tau", "N", "friction force on the block, towards -x", &Sample::tau,
-           &Record::tau},
-    Series{"/series/u_x", "m", "displacement of the block along x", &Sample::u_x, &Record::u_x},
-};
-
-/// A dataset with one entry per rupture, per crossing of another pinned fraction, or per sample of
-/// the fields.
-template <class Row, class T>
+/// A dataset with a row per sample of the series or of the fields, per rupture, or per crossing of
+/// another pinned fraction.
+template <class Member, class InRecord = std::nullptr_t>
 struct Column {
   const char* path;
   const char* unit;
-  const char* long_name;
-  T Row::*member;
+  const char* long_name;         // in the words of CF: what a plot writes along its axis
+  Member member;                 // of what is appended
+  InRecord in_record = nullptr;  // of series: the member of Record
 };
-template <class Row, class T>
-Column(const char*, const char*, const char*, T Row::*) -> Column<Row, T>;
+template <class Member, class InRecord = std::nullptr_t>
+Column(const char*, const char*, const char*, Member, InRecord = nullptr)
+    -> Column<Member, InRecord>;
+
+inline constexpr std::tuple kSeries = {
+    Column{"/series/time", "s", "time", &Sample::time, &Record::time},
+    Column{"/series/step", "1", "time step", &Sample::step, &Record::step},
+    Column{"/series/F_T", "N", "driving force", &Sample::F_T, &Record::F_T},
+    Column{"/series/x_drive", "m", "position of the driving point", &Sample::x_drive,
+           &Record::x_drive},
+    Column{"/series/pinned", "1", "pinned junctions of the block", &Sample::pinned,
+           &Record::pinned},
+    Column{"/series/p", "N", "normal force on the block", &Sample::p, &Record::p},
+    Column{"/series/tau", "N", "friction force on the block, towards -x", &Sample::tau,
+           &Record::tau},
+    Column{"/series/u_x", "m", "displacement of the block along x", &Sample::u_x, &Record::u_x},
+};
 
 inline constexpr std::tuple kRuptures = {
     Column{"/ruptures/step", "1", "time step of the rupture", &Rupture::step},

@@ -1,5 +1,3 @@
-
-
 #include "context.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/model/derived.hpp"
@@ -45,15 +43,12 @@ Dataset array_dataset(const RowMajorArray<T>& array, std::string_view unit) {
                     shape_of(array.rows(), array.cols()), unit);
 }
 
-template <class T>
-void read_junctions(const Content& content, const char* path, RowMajorArray<T>& array) {
+// Reads a dataset of the shape that the array has.
+template <class Array>
+void read(const Content& content, const std::string& path, Array&& array) {
+  using T = typename std::remove_reference_t<Array>::Scalar;
   const auto values = read_array<T>(content, path, shape_of(array.rows(), array.cols()));
   array = RowMajorArray<T>::Map(values.data(), array.rows(), array.cols());
-}
-
-void read_field(const Content& content, const char* path, Field& field) {
-  const auto values = read_array<double>(content, path, shape_of(field.Nz(), field.Nx()));
-  field.blocks() = RowMajorArray<double>::Map(values.data(), field.Nz(), field.Nx());
 }
 
 // A pinned junction has no repin time: stored as 0, in memory `never`.
@@ -76,8 +71,8 @@ double repin_time_from(std::uint8_t slipping, double stored, Eigen::Index block,
 
 void read_repin_times(const Content& content, RowMajorArray<double>& repin_time) {
   RowMajorArray<std::uint8_t> slipping(repin_time.rows(), repin_time.cols());
-  read_junctions(content, kSlipping, slipping);
-  read_junctions(content, kRepinTime, repin_time);
+  read(content, kSlipping, slipping);
+  read(content, kRepinTime, repin_time);
   for (Eigen::Index i = 0; i < repin_time.rows(); ++i) {
     for (Eigen::Index j = 0; j < repin_time.cols(); ++j) {
       repin_time(i, j) = repin_time_from(slipping(i, j), repin_time(i, j), i, j);
@@ -103,7 +98,7 @@ void check_memory(const SpringMemory& memory, double repin_time, double remember
 void read_memory(const Content& content, const LawInfo& law, Junctions& junctions) {
   if (!law.memory) return;
   auto& array = junctions.*law.memory->array;
-  read_junctions(content, path_of(*law.memory).c_str(), array);
+  read(content, path_of(*law.memory), array);
   for (Eigen::Index i = 0; i < array.rows(); ++i) {
     for (Eigen::Index j = 0; j < array.cols(); ++j) {
       check_memory(*law.memory, junctions.repin_time(i, j), array(i, j), i, j);
@@ -167,10 +162,10 @@ State read_state(const Content& content, const Parameters& parameters) {
   state.clock = read_clock(content, state.step);
   state.drive.origin_step = read_step(content, kOriginStep, state.step);
   state.drive.origin_position = read_scalar<double>(content, kOriginPosition);
-  for (const FieldRow& row : kFields) read_field(content, row.path, state.*row.field);
-  read_junctions(content, kAttachment, state.junctions.attachment);
+  for (const FieldRow& row : kFields) read(content, row.path, (state.*row.field).blocks());
+  read(content, kAttachment, state.junctions.attachment);
   read_repin_times(content, state.junctions.repin_time);
-  read_junctions(content, kDraws, state.junctions.draws);
+  read(content, kDraws, state.junctions.draws);
   read_memory(content, law_info(parameters.law), state.junctions);
   expect_as_written(content, state_content(state));
   return state;
