@@ -12,6 +12,14 @@ constexpr std::string_view kSynopsis = "analyze COMMAND [FILE...] [options]";
 constexpr std::string_view kPurpose =
     "Measures, compares and checks checkpoints and records; never changes them.";
 
+/// All commands, in the order of the help.
+constexpr std::array kCommands = {&events_command,   &front_command,        &classify_command,
+                                  &slip_command,     &slow_slip_command,    &loading_command,
+                                  &stress_command,   &phi_command,          &strength_command,
+                                  &estimate_command, &steady_state_command, &quantities_command,
+                                  &checksum_command, &verify_command,       &diff_command,
+                                  &show_command,     &lineage_command};
+
 /// Its name without "analyze".
 std::string_view word_for(const Command& command) {
   return command.name().substr(command.name().find(' ') + 1);
@@ -22,7 +30,7 @@ std::string help() {
       "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND describes one):\n"
       "  help         show this list, or the help of a command\n",
       kSynopsis, kPurpose);
-  for (const Command* command : commands()) {
+  for (const Command* command : kCommands) {
     text += fmt::format("  {:<12} {}\n", word_for(*command), command->summary);
   }
   return text;
@@ -41,7 +49,7 @@ std::string describe() {
                {"synopsis", kSynopsis},
                {"purpose", kPurpose},
                {"commands", Json::array()}};
-  for (const Command* command : commands()) {
+  for (const Command* command : kCommands) {
     json["commands"].push_back(Json::parse(answer(*command, "--describe")));
   }
   return json_text(json) + "\n";
@@ -49,12 +57,12 @@ std::string describe() {
 
 std::vector<std::string_view> names_of_commands() {
   std::vector<std::string_view> names = {"help"};
-  for (const Command* command : commands()) names.push_back(word_for(*command));
+  for (const Command* command : kCommands) names.push_back(word_for(*command));
   return names;
 }
 
 const Command& find(std::string_view name) {
-  for (const Command* command : commands()) {
+  for (const Command* command : kCommands) {
     if (word_for(*command) == name) return *command;
   }
   throw UsageError(unknown_text("command", name, names_of_commands(), "rupture analyze --help"));
@@ -91,28 +99,46 @@ int run(int argc, char** argv) {
 constexpr std::array kWriters = {&load_command,       &restart_command, &prepare_command,
                                  &modify_phi_command, &finish_command,  &seal_command};
 
-std::vector<NamedQuantity> quantities_of(std::span<const Command* const> commands) {
-  std::vector<NamedQuantity> all;
+/// The end of the name of a quantity with such a value.
+struct Suffix {
+  std::string operator()(const auto&) const { return ""; }
+  template <class T>
+  std::string operator()(const std::vector<T>&) const {
+    return ".*";
+  }
+  std::string operator()(const Counts&) const { return ".*.*"; }
+  std::string operator()(const List&) const { return ".*"; }
+};
+
+/// Adds name (keys joined by dots, * for an index), unit and meaning of all that JSON has of the
+/// rows.
+void add_named(const std::string& prefix, const Quantities& rows, Json& all) {
+  for (const Quantity& row : rows) {
+    if (row.key.empty()) continue;
+    const std::string name = prefix + "." + row.key + std::visit(Suffix{}, row.value);
+    if (const auto* const group = std::get_if<Group>(&row.value)) {
+      add_named(name, group->rows, all);
+    } else if (const auto* const list = std::get_if<List>(&row.value)) {
+      add_named(name, list->kind, all);
+    } else {
+      all.push_back({{"name", name}, {"unit", row.unit}, {"help", row.help}});
+    }
+  }
+}
+
+Json quantities_of(std::span<const Command* const> commands) {
+  Json all = Json::array();
   for (const Command* command : commands) {
     if (command->quantities == nullptr) continue;
-    const auto reported = named(std::string(word_for(*command)), command->quantities());
-    all.insert(all.end(), reported.begin(), reported.end());
+    add_named(std::string(word_for(*command)), command->quantities(), all);
   }
   return all;
 }
 
-Json json_of(const std::vector<NamedQuantity>& quantities) {
-  Json list = Json::array();
-  for (const NamedQuantity& quantity : quantities) {
-    list.push_back({{"name", quantity.name}, {"unit", quantity.unit}, {"help", quantity.help}});
-  }
-  return list;
-}
-
-void print_lines(const std::vector<NamedQuantity>& quantities) {
-  for (const NamedQuantity& quantity : quantities) {
-    const std::string unit = quantity.unit.empty() ? "" : "[" + quantity.unit + "]";
-    say("  {:<58} {:<6} {}\n", quantity.name, unit, quantity.help);
+void print_lines(const Json& quantities) {
+  for (const Json& quantity : quantities) {
+    const std::string name = quantity["name"], unit = quantity["unit"], help = quantity["help"];
+    say("  {:<58} {:<6} {}\n", name, unit.empty() ? "" : "[" + unit + "]", help);
   }
 }
 
@@ -127,30 +153,20 @@ constinit const Command quantities_command = {
     {add_json_option},
     [](const Parsed& parsed) {
       if (parsed.values.count("json") > 0) {
-        say("{}\n", json_text({{"parameters", tools::json_of(parameter_table())},
-                               {"quantities", json_of(quantities_of(commands()))},
-                               {"summaries", json_of(quantities_of(kWriters))}}));
+        say("{}\n", json_text({{"parameters", json_of(parameter_table())},
+                               {"quantities", quantities_of(kCommands)},
+                               {"summaries", quantities_of(kWriters)}}));
         return int{kDone};
       }
       say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
       say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
           "meaning\n");
-      print_lines(quantities_of(commands()));
+      print_lines(quantities_of(kCommands));
       say("\nSummaries: name (program that writes files, then field of its --json), unit, "
           "meaning\n");
       print_lines(quantities_of(kWriters));
       return int{kDone};
     }};
-
-const std::vector<const Command*>& commands() {
-  static const std::vector<const Command*> all = {
-      &events_command,    &front_command,    &classify_command,     &slip_command,
-      &slow_slip_command, &loading_command,  &stress_command,       &phi_command,
-      &strength_command,  &estimate_command, &steady_state_command, &quantities_command,
-      &checksum_command,  &verify_command,   &diff_command,         &show_command,
-      &lineage_command};
-  return all;
-}
 
 Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted) {
   return read_checkpoint(single_input(parsed.values, "checkpoint", wanted));

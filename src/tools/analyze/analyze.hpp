@@ -16,9 +16,6 @@ extern const Command steady_state_command, quantities_command;
 // of any file
 extern const Command checksum_command, verify_command, diff_command, show_command, lineage_command;
 
-/// All of them, in the order of the help.
-const std::vector<const Command*>& commands();
-
 /// Reads the checkpoint that was named. `wanted` is what the error asks for if there is none.
 Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted = "a checkpoint");
 

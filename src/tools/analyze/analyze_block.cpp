@@ -8,9 +8,17 @@
 #include "rupture/analysis/phi.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
+#include "rupture/model/laws.hpp"
 
 namespace rupture::tools {
 namespace {
+
+/// There is theory for the reference law alone.
+void refuse_other_laws(const Parameters& p) {
+  if (p.law == Law::reference) return;
+  throw UsageError("junctions.law = {} is not supported here: use the {} law", law_info(p.law).name,
+                   law_info(Law::reference).name);
+}
 
 /// Mean and standard deviation over the ensemble.
 Quantities ensemble_quantities(const std::optional<RelaxationEnsemble>& ensemble) {

@@ -104,9 +104,7 @@ Report strength_of(const std::string& shape, double sigma_bar) {
 
 Quantities quantities_of(const std::vector<BlockStrength>& blocks) {
   using B = BlockStrength;
-  const auto mu_eff = [](const B& b) {
-    return b.p > 0.0 ? std::optional(b.tau_max / b.p) : std::nullopt;
-  };
+  const auto mu_eff = [](const B& b) { return ratio(b.tau_max, b.p); };
   const auto headed = [](const char* heading) { return TextColumn{12, "{:.4g}", heading}; };
   return {
       {"x", "m", "position of each block (of a checkpoint)", each(blocks, &B::x), Csv::yes,

@@ -1,5 +1,4 @@
 // analyze lineage: the steps that led to a file, and a script that takes them anew.
-
 #include <algorithm>
 
 #include "analyze/analyze.hpp"

@@ -80,6 +80,11 @@ std::optional<double> median_speed(const std::vector<SlowSlip>& slips) {
   return median(known);
 }
 
+/// "-" where there is no speed [m/s].
+std::string in_unit_of(double unit, const std::optional<double>& speed) {
+  return speed ? fmt::format("{:.4g}", *speed / unit) : "-";
+}
+
 Report report_of(const Front& front, const std::vector<SlowSlip>& slips) {
   using S = SlowSlip;
   const Numbers speeds = each(slips, &S::speed), estimates = each(slips, &S::estimate);
@@ -115,11 +120,10 @@ Report report_of(const Front& front, const std::vector<SlowSlip>& slips) {
       criteria_quantity(front.criteria),
   };
   if (none) return {rows, "no block has slow slip that can be measured\n"};
-  return {
-      rows,
-      fmt::format("{} block{}, mean slip speed {} mm/s (Eq. S1: {} mm/s); front: {} m/s\n",
-                  slips.size(), slips.size() == 1 ? "" : "s", tools::text_of(average(speeds), 1e-3),
-                  tools::text_of(estimate, 1e-3), tools::text_of(front_speed))};
+  return {rows,
+          fmt::format("{} block{}, mean slip speed {} mm/s (Eq. S1: {} mm/s); front: {} m/s\n",
+                      slips.size(), slips.size() == 1 ? "" : "s", in_unit_of(1e-3, average(speeds)),
+                      in_unit_of(1e-3, estimate), in_unit_of(1.0, front_speed))};
 }
 
 void add_slow_slip_options(po::options_description& options) {

@@ -1,5 +1,4 @@
 // analyze checksum, verify: whether files are intact and what they should be.
-
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -26,8 +25,7 @@ struct ManifestLine {
 struct Verdict {
   int place;  ///< in the summary
   std::string_view name;
-  bool operator==(const Verdict&) const = default;
-  bool operator<(const Verdict& other) const { return place < other.place; }
+  auto operator<=>(const Verdict&) const = default;
 };
 constexpr Verdict kIntact = {0, "intact"};      // with the checksum that a manifest lists for it
 constexpr Verdict kDiffers = {1, "differs"};    // intact, but with another checksum than that

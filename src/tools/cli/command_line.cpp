@@ -12,7 +12,6 @@
 #include "cli/text.hpp"
 #include "rupture/checkpoint/file.hpp"
 #include "rupture/forces/kernels.hpp"
-#include "rupture/model/laws.hpp"
 #include "rupture/model/user_text.hpp"
 #include "rupture/version.hpp"
 
@@ -242,12 +241,6 @@ void set_parameters(const ParameterChanges& changes, Parameters& parameters) {
 
 PhiShape shape_named(const std::string& name) {
   return name == "bell" ? PhiShape::bell : PhiShape::uniform;
-}
-
-void refuse_other_laws(const Parameters& p) {
-  if (p.law == Law::reference) return;
-  throw UsageError("junctions.law = {} is not supported here: use the {} law", law_info(p.law).name,
-                   law_info(Law::reference).name);
 }
 
 void refuse_empty_names(const std::vector<std::string>& inputs) {

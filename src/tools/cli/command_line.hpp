@@ -64,10 +64,6 @@ void set_parameters(const ParameterChanges& changes, Parameters& parameters);
 
 PhiShape shape_named(const std::string& name);
 
-/// Throws UsageError unless the interface follows the reference law, for which alone there is
-/// theory.
-void refuse_other_laws(const Parameters& parameters);
-
 void refuse_empty_names(const std::vector<std::string>& inputs);
 
 /// The one positional argument. Throws UsageError, saying what is wanted, if there is none or more.

@@ -130,10 +130,6 @@ po::typed_value<std::string>* output_file(const std::string& holds) {
   return described<std::string>({"output file", "FILE", "", holds});
 }
 
-const ValueKind* kind_of(const po::option_description& option) {
-  return dynamic_cast<const ValueKind*>(option.semantic().get());
-}
-
 double non_negative(const po::variables_map& values, const std::string& option) {
   return non_negative(values[option].as<double>(), option);
 }

@@ -35,9 +35,6 @@ po::typed_value<std::vector<std::string>>* assignments();
 po::typed_value<std::string>* input_file(const std::string& holds);
 po::typed_value<std::string>* output_file(const std::string& holds);
 
-/// The kind that was declared by one of these; none of an option that takes no value.
-const ValueKind* kind_of(const po::option_description& option);
-
 /// The value of a time, a length or the like. Throws UsageError unless it is finite and >= 0.
 double non_negative(const po::variables_map& values, const std::string& option);
 double non_negative(double value, const std::string& option);

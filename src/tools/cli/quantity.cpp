@@ -129,19 +129,6 @@ std::string table(const Quantities& rows, Form form) {
   return text;
 }
 
-// --- analyze quantities
-
-/// The end of the name of a quantity with such a value.
-struct Suffix {
-  std::string operator()(const auto&) const { return ""; }
-  template <class T>
-  std::string operator()(const std::vector<T>&) const {
-    return ".*";
-  }
-  std::string operator()(const Counts&) const { return ".*.*"; }
-  std::string operator()(const List&) const { return ".*"; }
-};
-
 }  // namespace
 
 Quantity in_csv(Quantity quantity, const std::optional<TextColumn>& text) {
@@ -170,23 +157,6 @@ Quantities join(const std::vector<Quantities>& lists) {
   return all;
 }
 
-std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& rows) {
-  std::vector<NamedQuantity> all;
-  for (const auto& row : rows) {
-    if (row.key.empty()) continue;
-    const std::string name = prefix + "." + row.key + std::visit(Suffix{}, row.value);
-    const auto* const group = std::get_if<Group>(&row.value);
-    const auto* const list = std::get_if<List>(&row.value);
-    if (group == nullptr && list == nullptr) {
-      all.push_back({name, row.unit, row.help});
-      continue;
-    }
-    const auto below = named(name, group != nullptr ? group->rows : list->kind);
-    all.insert(all.end(), below.begin(), below.end());
-  }
-  return all;
-}
-
 void add_json_option(po::options_description& options) {
   options.add_options()("json", "print one JSON object");
 }
@@ -211,10 +181,6 @@ int print(const Report& report, const po::variables_map& values) {
 
 void print_json(const Quantities& rows) {
   say("{}\n", json_text(json_of(rows)));
-}
-
-std::string text_of(const std::optional<double>& value, double unit) {
-  return value ? fmt::format("{:.4g}", *value / unit) : "-";
 }
 
 }  // namespace rupture::tools

@@ -72,15 +72,6 @@ Numbers each(const auto& elements, auto of) {
 
 Quantities join(const std::vector<Quantities>& lists);
 
-/// A line of `analyze quantities`.
-struct NamedQuantity {
-  std::string name;  ///< keys joined by dots, * for an index
-  std::string unit, help;
-};
-
-/// All that JSON has of these rows.
-std::vector<NamedQuantity> named(const std::string& prefix, const Quantities& rows);
-
 void add_json_option(po::options_description& options);
 void add_format_options(po::options_description& options);
 
@@ -95,8 +86,5 @@ struct Report {
 int print(const Report& report, const po::variables_map& values);
 
 void print_json(const Quantities& rows);
-
-/// "-" where there is no value.
-std::string text_of(const std::optional<double>& value, double unit = 1.0);
 
 }  // namespace rupture::tools

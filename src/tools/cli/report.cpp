@@ -12,7 +12,7 @@ namespace {
 const ValueKind kFlag = {"flag", ""};
 
 const ValueKind& kind_or_flag(const po::option_description& option) {
-  if (const ValueKind* kind = kind_of(option)) return *kind;
+  if (const auto* kind = dynamic_cast<const ValueKind*>(option.semantic().get())) return *kind;
   if (option.semantic()->max_tokens() == 0) return kFlag;
   throw std::logic_error("the value of --" + option.long_name() + " has no kind");
 }
