@@ -90,7 +90,7 @@ class Processes:
         if self.received:
             end_group(process.pid, self.ending)
         if follow:
-            follow(line.rstrip("\n") for line in process.stdout)
+            follow(line.rstrip("\n") for line in process.stdout or ())
         code = process.wait()
         self.group = None
         if self.received:
