@@ -160,14 +160,14 @@ def test_a_lock_that_was_deleted_is_not_taken(folder):
 
 
 def test_the_second_signal_ends_a_program_that_is_starting(folder):
-    def start(*_):
+    def start(*_, **__):
         for number in (signal.SIGINT, signal.SIGTERM):
             processes.receive(number, None)
         return Mock(pid=7)
 
     with patch("signal.signal"):
         processes = Processes()
-    with patch("os.killpg") as ended, patch.object(processes, "start", start):
+    with patch("os.killpg") as ended, patch("subprocess.Popen", start):
         with pytest.raises(SystemExit):
             processes.run(["x"])
     ended.assert_called_once_with(7, signal.SIGKILL)
