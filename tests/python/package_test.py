@@ -239,7 +239,7 @@ def test_programs_have_the_version_of_the_package():
 def test_a_result_has_the_files_of_its_run_and_is_an_input(small):
     rupture.run("load", output="small-t1.h5", config=SMALL, seed=2)  # another one's
     made = rupture.run("modify-phi", small.checkpoint, output="small-t2.h5", shape="uniform")
-    assert made.checkpoints == []
+    assert made.checkpoints == [] and made.checkpoint.provenance[-1]["tool"] == "modify-phi"
     shutil.copy("small-record.h5", "small-t3.h5")
     Path("small-t4.h5").touch()
     names = [path.name for path in small.checkpoints]
