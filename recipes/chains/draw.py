@@ -27,9 +27,8 @@ def main(recipe):
     made_by[:] = origin_lines(f"./reproduce.sh {recipe}", own)
     try:
         numbers = module_at(script).make(chains, results) or []
-        behind = Accounts(Path()).files_behind(recipe, dict(own))
-        claims = judge(recipe, chains), numbers, builds(Path(), behind)
-        write_claims(results / "claims.json", *claims)
+        made_with = builds(Path(), Accounts(Path()).files_behind(recipe, dict(own)))
+        write_claims(results / "claims.json", judge(recipe, chains), numbers, made_with)
     except Failure as failure:
         sys.exit(f"{recipe}: {failure}")
     files = sorted(path for path in results.glob("[!.]*") if path.stat().st_mtime >= started - 1)

@@ -6,6 +6,7 @@ import re
 import shutil
 import sys
 import time
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from reproduce.processes import ensure_packages, set_up
 from claims.print_claims import print_claims
 
 RESULTS = Path("results")
-STATE = Path("build/cache/state")  # after the last run, see state_of
+STATE = Path("build/cache/state")  # in which there was nothing to do, see state_of
 TRIES = 3  # in an allocation, where a node may be lost
 FROM_SCRATCH = SHARE / "recipes/fig2/from_scratch.ini"
 INSIDE_STEP = re.compile(r"\d{1,6}")  # the interactive step of salloc has a larger number
@@ -95,6 +96,14 @@ def prepare(request, processes):
     return place_of(request)
 
 
+def note_run(recipes, place, started):
+    """Notes for the report which recipes ran, with how many cores, when, and for how long."""
+    run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
+    run["seconds"] = int(time.time() - started)
+    with append_to(RESULTS / "runs.jsonl") as file:
+        print(json.dumps(run), file=file)
+
+
 def run_recipes(request, processes, recipes, place):
     """Returns whether there was anything to do, and whether that failed. With --from-scratch,
     checkpoints that are shipped must first come out as they are."""
@@ -120,11 +129,12 @@ def state_of(wanted):
     in which it is: as long as it stays the same, there is nothing to do."""
     folders = [RESULTS / name for name in ("data", *wanted.get("recipes", ()))]
     folders += [os.environ["RUPTURE_BIN"], *(SHARE / name for name in READ)]
-    files = (
-        Path(at, one) for folder in folders for at, _, names in os.walk(folder) for one in names
-    )
-    stats = [(str(file), file.stat()) for file in sorted(files) if file.exists()]
-    seen = [(file, stat.st_mtime_ns, stat.st_size) for file, stat in stats]
+    seen = []
+    for at, _, names in (each for folder in folders for each in sorted(os.walk(folder))):
+        for file in (os.path.join(at, name) for name in sorted(names)):
+            with suppress(OSError):  # of a link that leads nowhere
+                stat = os.stat(file)
+                seen.append((file, stat.st_mtime_ns, stat.st_size))
     return digest(json.dumps([wanted, seen]))
 
 
@@ -135,7 +145,8 @@ def run_ninja(processes, place, own=None, **wanted):
     from chains.progress import PART, STATUS, follow
 
     wanted |= {"cores": place.cores, "megabytes": place.megabytes}
-    if not own and read(STATE) == state_of(wanted):
+    state = "" if own else state_of(wanted)  # before it is looked at: it may change meanwhile
+    if state and read(STATE) == state:
         return False, False
     try:
         plan = write_plan(**wanted, own=own)
@@ -153,13 +164,13 @@ def run_ninja(processes, place, own=None, **wanted):
         finally:
             put_back()
         if not code:
-            write_if_changed(STATE, state_of(wanted))
             break
+    if state and not code and not any(did):
+        write_if_changed(STATE, state)
     return any(did), bool(code)
 
 
 def reproduce(request, recipes, processes):
-    """Notes for the report which recipes ran, with how many cores, when, and for how long."""
     place = prepare(request, processes)
     names = " ".join(recipes)
     say(f"Computing {names} {place.name} ...")
@@ -171,9 +182,7 @@ def reproduce(request, recipes, processes):
     if has_failed:
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why (log: {LOGS}/recipes.log)")
-    run = {"recipes": names, "where": place.name, "started": int(started)}
-    with append_to(RESULTS / "runs.jsonl") as file:
-        print(json.dumps(run | {"seconds": int(time.time() - started)}), file=file)
+    note_run(recipes, place, started)
     for name in recipes:
         print_claims(name, RESULTS.resolve(), ROOT)
 

@@ -158,6 +158,13 @@ def test_words_compute_nothing_and_describe_the_results_anew(tiny):
     assert tiny.computed() == [] and tiny.crate().stat().st_mtime_ns > before
 
 
+def test_what_changes_during_a_run_is_computed_by_the_next_call(tiny):
+    figure = tiny.root / "recipes/tiny/figure.py"
+    tiny.replace("bin/prepare", "exec", f"""sed -i 's/ N"/ kN"/' '{figure}'\nexec""")
+    assert tiny.computed() == RUNS
+    assert tiny.computed() == FIGURE
+
+
 BEHIND: tuple = ("bin/prepare", "recipes/*/runs.ini", "python/rupture/units.py", "checkpoints/*.h5")
 BEHIND += ("results/data/points/*.json", "results/data/points/*.h5", "results/tiny/*.png")
 
