@@ -1,5 +1,4 @@
-"""The report's page of made-up results (fixture.py), and what it makes of captions and symbols; no
-browser is needed."""
+"""The report's page of made-up results (fixture.py), and what it makes of captions and symbols."""
 
 import ast
 import json
@@ -137,6 +136,22 @@ def page_with_accounts(tmp_path_factory):
     spill(project.results / "runs.jsonl", f"{json.dumps(run)}\n{json.dumps(idle)}\n")
     spill(project.results / "fig2/own.json", json.dumps([OWN, EXPECTED]))
     return page_of(project)
+
+
+def test_all_that_the_page_shows_and_leads_to_is_beside_it(project):
+    project.make_accounts()
+    spill(project.results / "fig2/movie.gif", "GIF")
+    page = page_of(project)
+    ids = re.findall(r'\bid="([^"]*)"', page)
+    assert len(ids) == len({*ids})
+    images = re.findall("<img[^>]*>", page)
+    assert all(re.search(r'\balt="', image) for image in images)
+    shown = {project.results / re.findall(r'\bsrc="([^"/.][^"]*)"', image)[0] for image in images}
+    pictures = [*project.results.glob("**/[!.]*.png"), *project.results.glob("*/*.gif")]
+    assert shown == {*pictures}
+    for address in re.findall(r'\b(?:href|src)="(?!data:|https://arxiv)([^"]*)"', page):
+        name = address.removeprefix("#")
+        assert name in ids if name != address else (project.results / name).is_file(), address
 
 
 @pytest.mark.parametrize("name, text", SAYS)
