@@ -5,6 +5,8 @@
 
 #include "run/plan.hpp"
 #include "rupture/analysis/statistics.hpp"
+#include "rupture/forces/kernels.hpp"
+#include "rupture/version.hpp"
 #include "sliders.hpp"
 #include "support/sliders.hpp"
 
@@ -171,6 +173,8 @@ BENCHMARK_CAPTURE(junctions, slipping, 1e9)->Name("junctions/slipping");
 
 /// "size/01", "size/02", ...: so the sizes are in order for --benchmark_filter, too.
 [[maybe_unused]] const bool registered = [] {
+  const std::string build = fmt::format("rupture {}, {}, {}", version, commit, kernels().name);
+  benchmark::AddCustomContext("build", build);  // in the JSON
   for (const std::int64_t factor : {1, 2, 4, 8, 16, 32}) {
     benchmark::RegisterBenchmark(fmt::format("size/{:02}", factor).c_str(), sizes, factor)
         ->UseManualTime()

@@ -20,7 +20,7 @@ from statistics import median
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 INSTRUCTION_SETS = ("sse2", "avx2", "avx512", "baseline", "neon")  # narrowest first
-STEPS = "step/|bulk/|junctions/|peak/"
+STEPS = "step/|bulk/|junctions/"
 VARIANTS = ("springs", "drag", "damping")  # of lammps/bulk.in
 
 STEP_TARGETS = {"sse2": 25.0, "avx2": 8.0, "avx512": 5.0}  # [us]
@@ -30,7 +30,6 @@ GROWTH_IN_CACHE, GROWTH_BEYOND = 1.2, 2.0  # time per block and step, against th
 SPEEDUP_TARGET, SPEEDUP_FROM = 1.8, 225 * 121  # on 2 threads; from this many blocks on
 
 BLOCKS = 57 * 31
-FLOPS, BYTES = 139, 64  # per block and step: README.md derives them
 
 
 def arguments():
@@ -112,7 +111,7 @@ def measured(options, bench, scratch):
     for number in range(1 if options.quick else 3):
         print(f"Round {number + 1} ...", file=sys.stderr)
         parts = [measure(bench, isa, STEPS, scratch, *twice) for isa in available]
-        parts.append(measure(bench, available[-1], "once/|record/|memory/", scratch, *twice))
+        parts.append(measure(bench, available[-1], "once/|record/", scratch, *twice))
         parts.append(measure(bench, available[-1], "size/0" if options.quick else "size/", scratch))
         if lmp:
             seconds = 0.5 if options.quick else 1.0
@@ -164,11 +163,7 @@ def steps_table(rows, available):
         goals = STEP_TARGETS if row in ("step/loading", "step/sliding") else {}
         times = [(isa, rows.time(f"{isa}/{row}", 1e6)) for isa in available]
         yield [row, *(against(time, goals.get(isa)) for isa, time in times)]
-    peaks = [max(rows.values(f"{isa}/peak/sums_and_products")) * 1e-9 for isa in available]
     bulk = [rows.time(f"{isa}/bulk/step", 1e6) for isa in available]
-    yield ["peak of + and * [GFLOP/s]", *(f"{peak:.1f}" for peak in peaks)]
-    shares = (FLOPS * BLOCKS / (1e3 * time * peak) for time, peak in zip(bulk, peaks))
-    yield ["bulk/step, share of it [%]", *(f"{100 * share:.0f}" for share in shares)]
     for name in rows.of("", "lammps"):
         ratios = (min(rows.values(name, "cpu_time")) / time for time in bulk)
         yield [f"{name} / bulk/step", *(f"{ratio:.1f}" for ratio in ratios)]
@@ -182,7 +177,6 @@ def once_table(rows, isa):
             value = 100 * median(rows.values(f"{isa}/{row}", key))
             target = None if (row, key) == ("record/fields", "cost") else RECORD_TARGET
             yield [f"{row}, {text} [%]", against(value, target)]
-    yield ["memory/rewrite [GB/s]", f"{1e-9 * max(rows.values(f'{isa}/memory/rewrite')):.1f}"]
 
 
 def sizes_table(rows, isa, cache):
@@ -192,14 +186,13 @@ def sizes_table(rows, isa, cache):
     first = next(entry for entry in rows.entries if entry["name"] == names[0])
     threads = sorted(int(key[3:]) for key in first if key.startswith("us_"))[1:]
     shared = (f"{n} threads, paired" for n in threads)
-    yield ["blocks", "us/step", "ns/block", "growth", "GB/s", *shared]
+    yield ["blocks", "us/step", "ns/block", "growth", *shared]
     for name in names:
         Nx, Nz = (int(rows.values(name, key)[0]) for key in ("Nx", "Nz"))
         alone = min(rows.values(name, "us_1"))
         growth = alone / (Nx * Nz) / (min(rows.values(names[0], "us_1")) / BLOCKS)
         target = GROWTH_IN_CACHE if 32 * Nx * Nz <= cache else GROWTH_BEYOND
         cells = [f"{alone:.1f}", f"{1e3 * alone / Nx / Nz:.2f}", against(growth, target)]
-        cells.append(f"{1e-3 * BYTES * Nx * Nz / alone:.1f}")
         for n in threads:
             speedup = alone / min(rows.values(name, f"us_{n}"))
             missed = n == 2 and Nx * Nz >= SPEEDUP_FROM and speedup < SPEEDUP_TARGET
