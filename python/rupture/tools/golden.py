@@ -3,7 +3,6 @@
 import fcntl
 import itertools
 import os
-import re
 import shlex
 import shutil
 import subprocess
@@ -15,7 +14,6 @@ from rupture.replacing import write_whole
 from rupture.tools.command_line import Parser
 
 SKIPPED = 77
-LINE = re.compile(r"(?:content-sha256 +)?([0-9a-f]{64}) +(.*\.h5)")  # without the word in old files
 
 
 def parse_options():
@@ -23,7 +21,7 @@ def parse_options():
         "golden check|regenerate [options] GOLDEN PIPELINE [ARGUMENT...]",
         "Runs a pipeline, any program, in a fresh folder, with rupture and its tools on its PATH."
         " Compares the content checksums of the files *.h5 that it writes there with those in"
-        " GOLDEN (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
+        " GOLDEN, a manifest (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
         " and so on (regenerate). Exit code: 0 equal or written, 1 different or failed, 77 if the"
         " pipeline exited with 77 because it cannot run on this machine.",
         "word",
@@ -82,53 +80,17 @@ def run_pipeline(pipeline, tools, folder):
     if code:
         wrote = f"its files are in {folder}"
         raise Failure(f"the pipeline failed with exit code {code}: {said}; {wrote}")
-    if not list(folder.glob("*.h5")):
+    if not list(folder.rglob("*.h5")):
         raise Failure(f"the pipeline wrote no *.h5 in its working folder: {said}")
 
 
-def checksum_of(file, tools):
-    """The checksum of a file; empty if it is damaged, which `analyze` reports on stderr."""
-    command = [tools / "analyze", "checksum", file.name]
-    done = subprocess.run(command, cwd=file.parent, stdout=subprocess.PIPE, text=True, check=False)
-    return done.stdout.strip()
-
-
-def read_golden(path, text):
-    """Checksums by file name."""
-    if text is None:
-        raise Failure(f"there is no golden file {path}; write it with: {regenerate_command()}")
-    wanted = {}
-    for line in text.splitlines():
-        if not (found := LINE.fullmatch(line)):
-            form = "'content-sha256 <64 hex digits>  <file>.h5'"
-            raise Failure(f"{path} has a line that is not {form}: {line}")
-        wanted[found[2]] = found[1]
-    if not wanted:
-        raise Failure(f"{path} lists no files; write it again with: {regenerate_command()}")
-    return wanted
-
-
-def difference(name, wanted, found):
-    if not found.get(name):
-        return "damaged" if name in found else "missing"
-    return "differs" if name in wanted else "new"
-
-
-def advise(differences, wanted, work, tools):
-    """Prints how to compare the files, if those with the golden checksums are still there."""
-    print(f"The files of this run are in {work}/found.")
-    commands = []
-    for name in (name for what, name in differences if what == "differs"):
-        files = work / "equal" / name, work / "found" / name
-        if files[0].exists() and checksum_of(files[0], tools) == wanted[name]:
-            commands.append("  " + shlex.join(map(str, (tools / "analyze", "diff", *files))))
-    if commands:
-        print("To see what differs:", *commands, sep="\n")
-    else:
-        print(
-            "To compare files with 'analyze diff', first run this once with a version that passes."
-        )
-    print(f"If the change is intended:\n  {regenerate_command()}")
+def verify(tools, folder, *words):
+    """What `analyze verify` says of the files in a folder: whether all is well, and its lines."""
+    command = [tools / "analyze", "verify", *words]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if not done.stdout:
+        raise Failure(done.stderr.strip().removeprefix("analyze: "))
+    return done.returncode == 0, done.stdout.splitlines()
 
 
 def keep_as_equal(work):
@@ -136,27 +98,30 @@ def keep_as_equal(work):
     (work / "found").rename(work / "equal")
 
 
-def check(wanted, found, work, tools):
-    names = {name for name, _ in wanted.items() ^ found.items()}
-    differences = sorted((difference(name, wanted, found), name) for name in names)
-    if not differences:
+def check(golden, work, tools):
+    shutil.copyfile(golden, work / "found" / golden.name)  # it names files relative to itself
+    equal, lines = verify(tools, work / "found", "--manifest", golden.name, ".")
+    if equal:
         keep_as_equal(work)
-        return print(f"All content checksums are equal (files: {len(wanted)}).")
-    for what, name in differences:
-        print(f"  {what:<8} {name}")
-        if what == "differs":
-            print(f"    golden {wanted[name]}\n    found  {found[name]}")
-    advise(differences, wanted, work, tools)
-    of = f"{len(names)} of {len(wanted | found)}"
-    print(f"Files that differ, {of}: {' '.join(name for _, name in differences)}")
+        return print(f"All content checksums are equal: {lines[-1]}.")
+    print(*(line for line in lines if not line.startswith("intact ")), sep="\n")
+    print(f"The files of this run are in {work}/found.")
+    if (work / "equal").exists():
+        print(f"Those of the last run that agreed are in {work}/equal. To compare two of a name:")
+        folders = [f"{work}/equal/NAME", f"{work}/found/NAME"]
+        print(" ", shlex.join([f"{tools}/analyze", "diff", *folders]))
+    print(f"If the change is intended:\n  {regenerate_command()}")
     return sys.exit(1)
 
 
-def regenerate(golden, before, found, work):
-    if damaged := [name for name, checksum in found.items() if not checksum]:
-        raise Failure(f"{work}/found/{damaged[0]} is damaged, so {golden} was not changed")
+def regenerate(golden, before, work, tools):
+    found = work / "found"
+    names = sorted(str(file.relative_to(found)) for file in found.rglob("*.h5"))
+    intact, lines = verify(tools, found, *names)
+    if not intact:
+        raise Failure(f"{golden} was not changed, because in {found} are: {lines[-1]}")
     keep_as_equal(work)
-    text = "".join(f"content-sha256 {found[name]}  {name}\n" for name in sorted(found))
+    text = "".join(f"{line.removeprefix('intact  ')}\n" for line in lines[:-1])
     if before == text:
         return print(f"{golden} is current: nothing to change.")
     if golden.exists():
@@ -165,7 +130,7 @@ def regenerate(golden, before, found, work):
         shutil.copy2(golden, old)
         print(f"kept the old checksums as {old}")
     write_whole(golden, text)
-    return print(f"wrote {golden}; content checksums: {len(found)}")
+    return print(f"wrote {golden}; content checksums: {len(lines) - 1}")
 
 
 def run():
@@ -179,11 +144,11 @@ def run():
         before = golden.read_text(encoding="utf-8") if golden.exists() else None
     except (UnicodeDecodeError, IsADirectoryError):
         raise Failure(f"{golden} is not a golden file: give the path of a text file") from None
-    wanted = read_golden(golden, before) if options.command == "check" else {}
+    if options.command == "check" and before is None:
+        raise Failure(f"there is no golden file {golden}; write it with: {regenerate_command()}")
     with take(work):
         run_pipeline([options.program, *options.arguments], tools, work / "found")
-        found = {f.name: checksum_of(f, tools) for f in (work / "found").glob("*.h5")}
         if options.command == "check":
-            check(wanted, found, work, tools)
+            check(golden, work, tools)
         else:
-            regenerate(golden, before, found, work)
+            regenerate(golden, before, work, tools)
