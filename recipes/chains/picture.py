@@ -30,7 +30,7 @@ def plain(text):
 
 
 def symbol_of(name, sweep):
-    """A symbol of docs/units-and-signs.md for Matplotlib; empty for what has none."""
+    """A symbol of docs/model.md for Matplotlib; empty for what has none."""
     found = SYMBOL.fullmatch(OPTIONS.get(name) or sweep.symbols.get(name, ""))
     if not found:
         return ""
