@@ -68,23 +68,11 @@ def moment(seconds):
 # --- the programs and the paper ------------------------------------------------------------
 
 
-def named(kind, name, **properties):
-    return entity(f"#{quote(name.replace(' ', '-'), safe='')}", kind, name=name, **properties)
-
-
 def software():
     """With its licence and the paper, from CITATION.cff."""
     cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
     paper = cited["references"][0]
-    people = [(one["given-names"], one["family-names"]) for one in paper["authors"]]
-    article = entity(
-        paper["url"],
-        "ScholarlyArticle",
-        name=paper["title"],
-        author=[named("Person", " ".join(n), givenName=n[0], familyName=n[1]) for n in people],
-        isPartOf=named("Periodical", paper["journal"]),
-        datePublished=str(paper["year"]),
-    )
+    article = entity(paper["url"], "ScholarlyArticle", name=paper["title"])
     licence = entity(
         f"https://spdx.org/licenses/{cited['license']}",
         "CreativeWork",
@@ -100,7 +88,7 @@ def software():
         keywords=cited["keywords"],
         programmingLanguage=["C++", "Python"],
         operatingSystem="Linux",
-        author=[named("Organization", author["name"]) for author in cited["authors"]],
+        author=entity("#authors", "Organization", name=cited["authors"][0]["name"]),
         license=licence,
         citation=article,
     )

@@ -21,7 +21,6 @@ DATES = ("datePublished", "startTime", "endTime")
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 NOW, PUBLISHED = 1.75e9, "2025-06-15T15:06:40+00:00"
 LICENCE = "https://spdx.org/licenses/MIT"
-PAPERS = "#Proceedings-of-the-National-Academy-of-Sciences"
 FILES = ("a%20b%23.csv", "claims.json", "fig3.pdf", "fig3.png", "front.csv")
 SAYS = [  # an entity, and what it has
     (CRATE, {"@type": "CreativeWork", "conformsTo": {"@id": SPECIFICATION}}),
@@ -45,11 +44,10 @@ SAYS = [  # an entity, and what it has
     ("#programs-1", {"description": "rupture 0.9.0, commit abc, gcc 12"}),
     ("#rupture", {"@type": "SoftwareSourceCode", "name": CITED["title"]}),
     ("#rupture", {name: CITED[name] for name in ("version", "keywords")}),
-    ("#rupture", {"description": CITED["abstract"], "author": [{"@id": "#The-rupture-authors"}]}),
+    ("#rupture", {"description": CITED["abstract"], "author": {"@id": "#authors"}}),
+    ("#authors", {"name": CITED["authors"][0]["name"]}),
     ("#rupture", {"citation": {"@id": PAPER["url"]}, "license": {"@id": LICENCE}}),
     (PAPER["url"], {"@type": "ScholarlyArticle", "name": PAPER["title"]}),
-    (PAPER["url"], {"datePublished": str(PAPER["year"]), "isPartOf": {"@id": PAPERS}}),
-    (PAPERS, {"name": PAPER["journal"]}),
 ]
 
 
@@ -125,13 +123,6 @@ def test_checkpoints_and_recipes_without_files_are_left_out(project):
     assert "#run-fig5" not in graph(project)
     (project.results / "data/points/load.h5").unlink()
     assert not [name for name in graph(project) if name.startswith("data/")]
-
-
-def test_the_authors_of_the_paper_are_those_of_the_citation(found):
-    for each, one in zip(found[PAPER["url"]]["author"], PAPER["authors"], strict=True):
-        person, given, family = found[each["@id"]], one["given-names"], one["family-names"]
-        assert (person["givenName"], person["familyName"]) == (given, family)
-        assert person["name"] == f"{given} {family}"
 
 
 def test_equal_results_of_another_time_and_place_differ_in_dates_only(project, tmp_path):
