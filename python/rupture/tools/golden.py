@@ -21,7 +21,7 @@ def parse_options():
         "golden check|regenerate [options] GOLDEN PIPELINE [ARGUMENT...]",
         "Runs a pipeline, any program, in a fresh folder, with rupture and its tools on its PATH."
         " Compares the content checksums of the files *.h5 that it writes there with those in"
-        " GOLDEN, a manifest (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
+        " GOLDEN (check), or makes them the new GOLDEN and keeps the old one as GOLDEN.old1, .old2"
         " and so on (regenerate). Exit code: 0 equal or written, 1 different or failed, 77 if the"
         " pipeline exited with 77 because it cannot run on this machine.",
         "word",
@@ -125,8 +125,8 @@ def regenerate(golden, before, work, tools):
     if before == text:
         return print(f"{golden} is current: nothing to change.")
     if golden.exists():
-        names = (Path(f"{golden}.old{number}") for number in itertools.count(1))
-        old = next(name for name in names if not os.path.lexists(name))
+        others = (Path(f"{golden}.old{number}") for number in itertools.count(1))
+        old = next(name for name in others if not os.path.lexists(name))
         shutil.copy2(golden, old)
         print(f"kept the old checksums as {old}")
     write_whole(golden, text)
