@@ -35,7 +35,7 @@ po::options_description common_options(UsesParameters uses_parameters) {
 
 std::string help_text(const Command& command, const po::options_description& shown) {
   std::ostringstream out;
-  out << "Usage: rupture " << command.synopsis() << "\n\n" << command.purpose << "\n\n" << shown;
+  out << "Usage: rupture " << command.synopsis() << "\n\n" << command.purpose << "\n" << shown;
   if (command.uses_parameters == UsesParameters::yes) {
     out << "\nParameters for --set and --config: rupture parameters lists them. Values are in SI "
            "units; a\nunit may be given, as in --until 10ms or --set slider.E=3GPa.\n";

@@ -25,9 +25,9 @@ void add_early_end_options(po::options_description& options) {
   add("until-rupture-at", number("X", "m"),
       "stop at the step at which the block nearest to X ruptures");
   add("arrived-below", number("F"),
-      "with --until-quiet or --until-spanned: after an event has spanned, wait until less than "
-      "this fraction of the junctions at the leading edge is pinned; default 0.3, at which a block "
-      "ruptures");
+      "with --until-quiet or --until-spanned: once an event has spanned the interface, wait until "
+      "less than this fraction of the junctions at the leading edge is pinned; default: 0.3, at "
+      "which a block ruptures");
 }
 
 bool may_end_early(const po::variables_map& values) {

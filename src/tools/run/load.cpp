@@ -41,7 +41,7 @@ constinit const Command load_command = {
     "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
     {[](po::options_description& options) {
        options.add_options()("until", seconds()->default_value(0.0, "0"),
-                             "drive until this time; 0: only the equilibrium");
+                             "stop at this time; 0: only find the equilibrium");
      },
      add_early_end_options, add_profile_option, add_run_options},
     load,

@@ -78,8 +78,8 @@ void add_run_options(po::options_description& options) {
   add("record-every", seconds()->default_value(1e-4, "1e-4"),
       "sampling interval of the record; the times of ruptures are exact to one time step");
   add("record-every-in-events", seconds(),
-      "also sample at this interval, fields too, while an event is under way: from a rupture of a "
-      "block until none has ruptured for 5 t_R. --dry-run does not count these samples");
+      "during an event, also sample at this interval, fields too. An event goes on until no block "
+      "has ruptured for 5 t_R. --dry-run does not count these samples");
   add("crossings", text("F,..."),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
   add("fields", seconds(),
@@ -92,12 +92,11 @@ void add_run_options(po::options_description& options) {
       "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
       "report it and continue. Warnings are only reported, and not at all with --quiet");
   add("resume",
-      "if the same run was interrupted, continue from its newest checkpoint OUT-tT.h5 and append "
-      "to its record; the result is that of an uninterrupted run");
+      "continue this run if it was interrupted, from its newest checkpoint OUT-tT.h5; the files "
+      "are those of an uninterrupted run");
   add("dry-run",
-      "write nothing: check the command and estimate the time, memory and disk space that it "
-      "needs. The time per step is measured for half a second, from the checkpoint or, for load, "
-      "near the equilibrium, which is not computed");
+      "write nothing: check the command, and estimate the time and disk space that it needs. The "
+      "time per step is measured for half a second");
   add_output_options(options, "checkpoint");
 }
 
