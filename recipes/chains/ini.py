@@ -10,15 +10,6 @@ from contextlib import contextmanager
 from chains.point import HOLE
 from rupture.errors import Failure, UsageError
 
-FORMER = {  # sections and keys of [sweep] up to version 0.3, and what is written instead
-    "prepare": "write a command in [commands], as prepare = prepare {values} -o start.h5 --quiet",
-    "load": "write a command in [commands], as load = load --until 0.5 {values} -o end.h5 --quiet",
-    "restart": "write a command in [commands], as restart = restart {base} --for 0.01 {values}"
-    " -o end.h5 --record record.h5 --quiet",
-    "analyze": "write commands in [commands], as front = analyze front record.h5 --json",
-    "seeds": "write seed = 1 to 5 in [values]",
-    "table": "call this section [quantities]",
-}
 MEGABYTES = {"MB": 1, "GB": 1000}
 
 
@@ -64,8 +55,6 @@ def suggestion(name, known):
 
 
 def check_known(name, known, what):
-    if name not in known and name in FORMER and what != "there is no program":
-        raise UsageError(f"'{name}' belongs to an older form of sweeps: {FORMER[name]}")
     if name not in known:
         raise UsageError(f"{what} '{name}'{suggestion(name, known)}")
 

@@ -319,12 +319,6 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{WHOLE}[values]\na = 1\na = 2\n", "'a' in section 'values' already exists"),
     (f"{WHOLE}[values]\n[values]\n", "section 'values' already exists"),
     (f"{WHOLE}[DEFAULT]\na = 1\n", "no section 'DEFAULT'"),
-    # older forms
-    ("[sweep]\nprepare =\n[quantities]\na = b\n", "older form.*prepare = prepare {values} -o"),
-    ("[sweep]\nload = --until 1\n", "older form.*load = load --until 0.5 {values} -o"),
-    ("[sweep]\nbase = b.h5\nrestart = --for 1\n", "older form.*restart = restart {base}"),
-    (f"{WHOLE}[analyze]\nfront = --x 1\n", "older form.*front = analyze front record.h5"),
-    (f"{WHOLE}[table]\na = b.c\n", "'table' belongs to an older form.*.quantities."),
     *(
         (f"[sweep]\n{need}\n{RUN}", f"'{need}' is not understood: give a")
         for need in ("memory = 10", "memory = 0 MB", "memory = 2 kg", "memory = .")
