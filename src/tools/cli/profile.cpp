@@ -60,7 +60,8 @@ void check(const Column& column, const std::string& cell) {
 void add_profile_option(po::options_description& options) {
   options.add_options()("profile", input_file("table of properties along x"),
                         "CSV table of properties along the interface: a column x, and one for each "
-                        "parameter that varies, such as junctions.mu_s; units in the heading");
+                        "parameter that varies, such as junctions.mu_s, or in prepare also tau-bar "
+                        "and sigma-bar; units in the heading");
 }
 
 Profile::Profile(const Parsed& parsed) : parsed_(parsed) {
