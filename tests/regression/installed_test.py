@@ -62,6 +62,8 @@ def test_a_project_notices_that_its_results_changed(configuring, prefix, folder)
     replace(Path("project/my_slider.ini"), "N_s = 37", "N_s = 38")
     said = tested()
     assert "50% tests passed, 1 tests failed out of 2" in said
+    for name in ("event-record.h5", "event.h5"):
+        assert f"differs  {name} is intact but has content checksum" in said
     assert "\n3 differs\n" in said
     analyze = shlex.quote(f"{prefix}/libexec/rupture/analyze")
     assert f"{analyze} diff {folder}/build/my_pipeline.files/equal" in said

@@ -3,6 +3,7 @@
 import fcntl
 import itertools
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -98,19 +99,33 @@ def keep_as_equal(work):
     (work / "found").rename(work / "equal")
 
 
-def check(golden, work, tools):
-    shutil.copyfile(golden, work / "found" / golden.name)  # it names files relative to itself
-    equal, lines = verify(tools, work / "found", "--manifest", golden.name, ".")
-    if equal:
+def advise(differing, manifest, work, tools):
+    """Prints how to compare the files, if those that agreed with this golden file are there."""
+    print(f"The files of this run are in {work}/found.")
+    equal = work / "equal" / manifest.name
+    if differing and equal.exists() and equal.read_bytes() == manifest.read_bytes():
+        print("To see what differs:")
+        for name in differing:
+            files = work / "equal" / name, work / "found" / name
+            print(" ", shlex.join(map(str, (tools / "analyze", "diff", *files))))
+    else:
+        print(
+            "To compare files with 'analyze diff', first run this once with a version that passes."
+        )
+    print(f"If the change is intended:\n  {regenerate_command()}")
+
+
+def check(golden, before, work, tools):
+    manifest = work / "found" / golden.name  # it names files relative to itself
+    write_whole(manifest, before)
+    is_equal, lines = verify(tools, manifest.parent, "--manifest", golden.name, ".")
+    if is_equal:
         keep_as_equal(work)
         return print(f"All content checksums are equal: {lines[-1]}.")
     print(*(line for line in lines if not line.startswith("intact ")), sep="\n")
-    print(f"The files of this run are in {work}/found.")
-    if (work / "equal").exists():
-        print(f"Those of the last run that agreed are in {work}/equal. To compare two of a name:")
-        folders = [f"{work}/equal/NAME", f"{work}/found/NAME"]
-        print(" ", shlex.join([f"{tools}/analyze", "diff", *folders]))
-    print(f"If the change is intended:\n  {regenerate_command()}")
+    advise(
+        re.findall("^differs  (.*) is intact but", "\n".join(lines), re.M), manifest, work, tools
+    )
     return sys.exit(1)
 
 
@@ -120,8 +135,9 @@ def regenerate(golden, before, work, tools):
     intact, lines = verify(tools, found, *names)
     if not intact:
         raise Failure(f"{golden} was not changed, because in {found} are: {lines[-1]}")
-    keep_as_equal(work)
     text = "".join(f"{line.removeprefix('intact  ')}\n" for line in lines[:-1])
+    write_whole(found / golden.name, text)
+    keep_as_equal(work)
     if before == text:
         return print(f"{golden} is current: nothing to change.")
     if golden.exists():
@@ -146,9 +162,11 @@ def run():
         raise Failure(f"{golden} is not a golden file: give the path of a text file") from None
     if options.command == "check" and before is None:
         raise Failure(f"there is no golden file {golden}; write it with: {regenerate_command()}")
+    if options.command == "check":  # before a long run: raises Failure if it is no manifest
+        verify(tools, golden.parent, "--manifest", golden.name)
     with take(work):
         run_pipeline([options.program, *options.arguments], tools, work / "found")
         if options.command == "check":
-            check(golden, work, tools)
+            check(golden, before, work, tools)
         else:
             regenerate(golden, before, work, tools)
