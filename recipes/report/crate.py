@@ -88,7 +88,10 @@ def software():
         keywords=cited["keywords"],
         programmingLanguage=["C++", "Python"],
         operatingSystem="Linux",
-        author=entity("#authors", "Organization", name=cited["authors"][0]["name"]),
+        author=[
+            entity(f"#{quote(one['name'].replace(' ', '-'))}", "Organization", name=one["name"])
+            for one in cited["authors"]
+        ],
         license=licence,
         citation=article,
     )

@@ -44,8 +44,7 @@ SAYS = [  # an entity, and what it has
     ("#programs-1", {"description": "rupture 0.9.0, commit abc, gcc 12"}),
     ("#rupture", {"@type": "SoftwareSourceCode", "name": CITED["title"]}),
     ("#rupture", {name: CITED[name] for name in ("version", "keywords")}),
-    ("#rupture", {"description": CITED["abstract"], "author": {"@id": "#authors"}}),
-    ("#authors", {"name": CITED["authors"][0]["name"]}),
+    ("#rupture", {"description": CITED["abstract"], "author": [{"@id": "#The-rupture-authors"}]}),
     ("#rupture", {"citation": {"@id": PAPER["url"]}, "license": {"@id": LICENCE}}),
     (PAPER["url"], {"@type": "ScholarlyArticle", "name": PAPER["title"]}),
 ]
