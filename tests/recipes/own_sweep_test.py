@@ -133,7 +133,6 @@ TWICE = "sets numerics.seed twice; remove it from .values. or .commands."
 REFUSED = [
     # what of CHAIN, is replaced by what, sentence
     ("type = front.type", "", "needs a section .quantities."),
-    ("[sweep]", "[sweep]\nseeds = 1, 2", "'seeds' belongs to an older form of sweeps: write seed"),
     ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
     ("[sweep]", "[sweep]\npoints = heading.csv", "there are no points"),
