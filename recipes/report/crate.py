@@ -77,7 +77,6 @@ def software():
         f"https://spdx.org/licenses/{cited['license']}",
         "CreativeWork",
         name=f"{cited['license']} License",
-        description="Free to use, change and pass on, with the notice of the licence",
     )
     return entity(
         SOFTWARE,

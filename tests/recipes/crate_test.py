@@ -175,8 +175,6 @@ def test_licence_and_authors_are_those_of_the_licence():
 def test_no_identifier_is_made_up():
     """Nobody has given the programs a DOI or an address yet."""
     assert not CITED.keys() & {"doi", "url", "identifier", "identifiers", "repository-code"}
-    [preprint] = [one["value"] for one in PAPER["identifiers"]]
-    assert PAPER["url"].endswith(preprint.removeprefix("arXiv:"))
 
 
 def test_the_readme_cites_the_paper():
