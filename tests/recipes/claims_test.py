@@ -62,18 +62,28 @@ def texts_of(row, key):
     return [text for of in found for text in (of.values() if isinstance(of, dict) else [of])]
 
 
+def formulas(row, quantities):
+    """{(section, name): text} of what is measured, and of what this uses."""
+    found = {("measured", name): row["measured"][name] for name in quantities}
+    for _ in row.get("with", ()):  # what these use, and what that uses
+        used = " ".join(found.values())
+        found |= {("with", n): t for n, t in row["with"].items() if re.search(rf"\b{n}\b", used)}
+    return found
+
+
 @mark.parametrize("claim_id", ROWS)
 def test_names_in_a_row_are_those_of_chains_that_its_recipe_reads(claim_id):
     row, chains = ROWS[claim_id], Chains()
     figure = chains.recipe(row["recipe"])
     pairs = (chain for key in ("reads", "beside") for chain in chains.read_by(figure, key))
     read = {chain.name.removeprefix(f"{row['recipe']}/"): chain for chain, _ in pairs}
-    own = {*row.get("with", ()), *row.get("in_picture", ())}
     for key, quantities in (("shown", row["measured"]), ("each", row["conditions"])):
+        own = row.get("with", {}) | (row.get("in_picture", {}) if key == "shown" else {})
+        texts = formulas(row | {"with": own}, quantities).values()
         for text in texts_of(row, key):
             where = of_selection(text)
-            names = own | names_of(chains, read[where["chain"]]) | {where["element"]}
-            for expression in (where["condition"] or "1", *map(row["measured"].get, quantities)):
+            names = own.keys() | names_of(chains, read[where["chain"]]) | {where["element"]}
+            for expression in (where["condition"] or "1", *texts):
                 check_expression(expression, names - {None})
 
 
@@ -101,11 +111,7 @@ def faults_in(row):
     use is changed."""
     for name, condition in row["conditions"].items():
         yield from (("conditions", name, other) for other in other_conditions(condition))
-    texts = {("measured", name): row["measured"][name] for name in row["conditions"]}
-    for _ in row.get("with", ()):  # what these use, and what that uses
-        used = " ".join(texts.values())
-        texts |= {("with", n): t for n, t in row["with"].items() if re.search(rf"\b{n}\b", used)}
-    for (section, name), text in texts.items():
+    for (section, name), text in formulas(row, row["conditions"]).items():
         for old, new in OPERATORS.items():
             for found in re.finditer(re.escape(old), text):
                 yield section, name, text[: found.start()] + new + text[found.end() :]

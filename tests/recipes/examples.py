@@ -323,7 +323,7 @@ EXAMPLES = {
                 "in_words": {"duration": 1e-3},
             },
             "front_wider": {"t_rupture": [None, 2e-3, 3e-3, 9.0]},
-            "t": 1e-3,
+            "block": 0,
         },
         {
             "front_wider.t_rupture.1": ([], [2.051e-3]),
