@@ -21,7 +21,7 @@ from rupture.replacing import replacing, write_whole
 README, PICTURE = "README.md", "docs/figure-2.png"
 TABLE, NUMBERS = "docs/verdicts.csv", "docs/numbers.csv"
 FIRST, FIRST_ROUND = "docs/first-criteria.csv", "2026-11-21"  # criteria, and when those were fixed
-AFTER_RESULTS = re.compile(r"\bafter\b")  # in when a criterion was fixed
+AFTER_RESULTS = re.compile(r"\b(after|knowing)\b")  # in when a criterion was fixed
 BLOCK = re.compile(r"(?<=<!-- results -->\n).*?(?=<!-- /results -->)", re.DOTALL)
 SENTENCES = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
 PLACES = set(PLACE.findall(SENTENCES))
@@ -75,7 +75,7 @@ def table_of(rows):
 
 
 def counts_of(rows):
-    """Counts verdicts, and criteria worded after results."""
+    """Counts verdicts, and criteria worded or changed after results."""
     verdicts = Counter(row["verdict"] for row in rows)
     of_reproduced = [row["fixed"] for row in rows if row["verdict"] == "reproduced"]
     late = sum(bool(AFTER_RESULTS.search(fixed)) for fixed in of_reproduced)
