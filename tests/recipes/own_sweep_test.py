@@ -133,6 +133,7 @@ TWICE = "sets numerics.seed twice; remove it from .values. or .commands."
 REFUSED = [
     # what of CHAIN, is replaced by what, sentence
     ("type = front.type", "", "needs a section .quantities."),
+    ("[sweep]", "[sweep]\nseeds = 1, 2", "\\[sweep\\] has no key 'seeds'"),
     ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
     ("[sweep]", "[sweep]\npoints = heading.csv", "there are no points"),
