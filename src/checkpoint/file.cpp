@@ -161,6 +161,21 @@ void refuse_if_readable(std::span<const std::byte> file, const std::string& name
   }
 }
 
+// What `read` returns, which a child process has done first. Throws Failure if a signal ended it.
+// Whether libhdf5 crashes may depend on where it has its memory, so both do exactly the same.
+template <typename Read>
+auto survived(const Read& read) {
+  const ChildEnd end = in_child_process([&] {
+    read();
+    return 0;
+  });
+  if (end.signal == 0) return read();
+  fail(
+      "the HDF5 library crashes when it reads the file ({}), so the file is damaged or malicious; "
+      "copy it again or recreate it",
+      ::strsignal(end.signal));
+}
+
 }  // namespace
 
 bool is_there(const fs::path& path) {
@@ -227,14 +242,12 @@ ContentFile read_file(const fs::path& path, Opening opening) {
 }
 
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name, Opening opening) {
-  if (header_kind(bytes, name) == FileKind::open_record) {
-    return naming(name, [&] { return put_together(bytes); });
-  }
-  const FileKind kind = check_envelope(bytes, name);
-  return naming(name, [&] {
-    if (opening == Opening::in_child_first) demand_survival(bytes, hdf5::Accept::own);
-    return unseal(kind, bytes);
-  });
+  const FileKind kind = header_kind(bytes, name);
+  if (kind != FileKind::open_record) check_envelope(bytes, name);
+  const auto read = [&] {
+    return kind == FileKind::open_record ? put_together(bytes) : unseal(kind, bytes);
+  };
+  return naming(name, [&] { return opening == Opening::here ? read() : survived(read); });
 }
 
 EditedFile read_edited(const fs::path& path) {
@@ -242,8 +255,7 @@ EditedFile read_edited(const fs::path& path) {
   const std::string name = path.string();
   if (bytes.empty()) fail("{} is empty; expected a checkpoint or record", name);
   try {
-    demand_survival(bytes, hdf5::Accept::edited);
-    EditedFile file = open_edited(bytes);
+    EditedFile file = survived([&] { return open_edited(bytes); });
     file.name = name;
     return file;
   } catch (const hdf5::LibraryFailure& failure) {

@@ -1,6 +1,5 @@
 #include "seal.hpp"
 
-#include "child_process.hpp"
 #include "context.hpp"
 #include "record_layout.hpp"
 #include "rupture/checkpoint/checksum.hpp"
@@ -139,21 +138,6 @@ EditedFile open_edited(std::span<const std::byte> file) {
   check_finite(edited.content);
   edited.content_is_as_sealed = content_checksum(edited.content) == edited.sealed_checksum;
   return edited;
-}
-
-void demand_survival(std::span<const std::byte> file, hdf5::Accept accept) {
-  const ChildEnd end = in_child_process([&] {
-    const hdf5::Reader reader(file, accept);
-    writer_of(reader);
-    reader.attributes();
-    reader.content();
-    return 0;
-  });
-  if (end.signal == 0) return;
-  fail(
-      "the HDF5 library crashes when it reads the file ({}), so the file is damaged or malicious; "
-      "copy it again or recreate it",
-      ::strsignal(end.signal));
 }
 
 }  // namespace rupture

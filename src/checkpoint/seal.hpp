@@ -15,11 +15,8 @@ struct Sealed {
 Sealed seal(FileKind kind, const Content& content);
 
 /// What a file holds whose header may not fit, or be missing. Throws Failure. What crashes libhdf5
-/// crashes this process: see demand_survival().
+/// crashes this process.
 EditedFile open_edited(std::span<const std::byte> file);
-
-/// Reads all of a file in a child process. Throws Failure if a signal ends that.
-void demand_survival(std::span<const std::byte> file, hdf5::Accept accept);
 
 /// The content of a file of this kind whose header was checked. Throws Failure if attributes,
 /// content or content checksum are not as they should be.
