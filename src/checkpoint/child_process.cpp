@@ -15,7 +15,7 @@
 namespace rupture {
 namespace {
 
-constexpr rlim_t kMostSeconds = 300;  // of processor time
+constexpr rlim_t kMostSeconds = 240;  // of processor time
 
 void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
   const rlimit both = {most, most};

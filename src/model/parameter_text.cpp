@@ -78,6 +78,11 @@ AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const Along
   const double x_to = parse_x(info, text.substr(to + kTo.size()));
   const double rounding = 1e-6 * block_spacing(p);
   validate_lengths(p);
+  if (x_from > x_to || x_from < -rounding || x_to > p.L + rounding) {
+    throw UsageError(
+        "{} = '{}': expected a part of the slider, from 0 to {:g} m, the lower x first", info.name,
+        text, p.L);
+  }
   std::vector<T> blocks;
   int inside = 0;
   for (const double x : block_positions(p)) {
@@ -86,8 +91,8 @@ AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const Along
     inside += is_inside ? 1 : 0;
   }
   if (inside == 0) {
-    throw UsageError("{} = '{}': no block is there; blocks are at 0 to {:g} m, {:g} m apart",
-                     info.name, text, p.L, block_spacing(p));
+    throw UsageError("{} = '{}': no block is there; blocks are {:g} m apart", info.name, text,
+                     block_spacing(p));
   }
   return AlongX<T>(std::move(blocks));
 }
@@ -96,7 +101,9 @@ AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const Along
 template <class T>
 AlongX<T> parse_blocks(const Parameters& p, const ParameterInfo& info, std::string_view text) {
   std::vector<T> blocks;
-  for (bool more = true; more;) {
+  const bool one_each = text.find('x') == std::string_view::npos;
+  const bool fits = !one_each || std::ranges::count(text, ',') + 1 == p.Nx;
+  for (bool more = fits; more;) {
     const auto comma = text.find(',');
     std::string_view part = text.substr(0, comma);
     more = comma != std::string_view::npos;
@@ -119,6 +126,9 @@ AlongX<T> parse_blocks(const Parameters& p, const ParameterInfo& info, std::stri
 
 template <class T>
 T parse(const Parameters&, const ParameterInfo& info, const T&, std::string_view text) {
+  if (text.find(kFrom) != std::string_view::npos) {
+    throw UsageError("{} cannot vary along x", info.name);
+  }
   return parse_value<T>(info, text);
 }
 

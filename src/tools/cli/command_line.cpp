@@ -216,6 +216,10 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
     for (const po::option& option : given.options) {
       if (auto change = change_by(option, "")) add_once(*std::move(change), changes);
     }
+    for (const auto& change : changes) {  // a part leaves the rest as in the file
+      const auto same = [&](const ParameterChange& other) { return other.name == change.name; };
+      if (!is_along_x(change.value)) std::erase_if(parsed.parameters, same);
+    }
     parsed.parameters.insert(parsed.parameters.end(), changes.begin(), changes.end());
   } catch (const po::unknown_option& error) {
     throw UsageError(unknown_option_text(error.get_option_name(), all, command.name()));

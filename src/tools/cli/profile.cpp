@@ -24,15 +24,20 @@ using Row = Profile::Row;
 double number_of(const std::string& cell, const std::string& unit, std::string_view in) {
   const auto number = number_in(cell + unit, in);
   if (number && std::isfinite(*number)) return *number;
-  throw UsageError("'{}' is not a number; write decimals with a point", cell);
+  throw UsageError("'{}' is not a number: write decimals with a point, and units in the heading",
+                   cell);
 }
 
 /// "junctions.t_R [ms]". Throws UsageError unless it is something that may vary along x.
 Column column_of(const std::string& heading) {
-  const auto bracket = heading.find(" [");
+  const auto bracket = heading.find('[');
   Column column = {heading.substr(0, bracket), ""};
-  if (bracket != std::string::npos && heading.ends_with(']')) {
-    column.unit = heading.substr(bracket + 2, heading.size() - bracket - 3);
+  if (bracket != std::string::npos) {
+    if (!column.name.ends_with(' ') || !heading.ends_with(']')) {
+      throw UsageError("'{}' is not a heading: write NAME or NAME [UNIT]", heading);
+    }
+    column.name.pop_back();
+    column.unit = heading.substr(bracket + 1, heading.size() - bracket - 2);
   }
   if (column.unit == "1") column.unit.clear();
   std::string_view unit = column.name == "x" ? "m" : "1";
@@ -47,12 +52,13 @@ Column column_of(const std::string& heading) {
 
 /// Throws UsageError unless a parameter can have this value.
 void check(const Column& column, const std::string& cell) {
-  if (std::ranges::count(kOfPrepare, column.name) > 0) {
-    number_of(cell, column.unit, "1");
-    return;
+  bool is_number = true;
+  if (std::ranges::count(kOfPrepare, column.name) == 0) {
+    Parameters any;
+    set_parameter(any, column.name, cell + column.unit);
+    is_number = find_parameter(column.name).valid.words.empty();
   }
-  Parameters any;
-  set_parameter(any, column.name, cell + column.unit);
+  if (is_number) number_of(cell, "", "1");
 }
 
 }  // namespace
@@ -82,11 +88,19 @@ Profile::Profile(const Parsed& parsed) : parsed_(parsed) {
   if (rows_.empty()) throw UsageError("{}: a profile needs a heading and a row", path);
 }
 
+bool Profile::has(std::string_view column) const {
+  return std::ranges::count(columns_, column, &Column::name) > 0;
+}
+
 /// The heading, or a row.
 void Profile::read_line(std::string line, const std::string& where) {
   auto cells = split(line + ",", ',');  // a last empty cell counts
   if (columns_.empty()) {
-    for (const auto& heading : cells) columns_.push_back(column_of(heading));
+    for (const auto& heading : cells) {
+      const Column column = column_of(heading);
+      if (has(column.name)) throw UsageError("{} has two columns", column.name);
+      columns_.push_back(column);
+    }
     if (columns_.front().name == "x" && columns_.size() > 1) return;
     throw UsageError("the first column must be x, and one must follow (got '{}')", line);
   }
@@ -133,7 +147,18 @@ std::string Profile::values_of(std::size_t column, std::string_view unit,
 void Profile::apply(Parameters& p) const {
   ParameterChanges plain, parts;
   for (const auto& change : parsed_.parameters) {
-    (is_along_x(change.value) ? parts : plain).push_back(change);
+    if (is_along_x(change.value)) {
+      parts.push_back(change);
+    } else if (!has(change.name)) {
+      plain.push_back(change);
+    } else if (change.where.empty()) {  // not from a configuration file
+      throw UsageError("the profile has {}: leave --set out", change.name);
+    }
+  }
+  const auto loads = std::ranges::count(parts, "slider.load", &ParameterChange::name);
+  if (loads > 1 || (loads == 1 && has("slider.load"))) {
+    throw UsageError(
+        "slider.load is given for two parts, but becomes 1 on average after each: use --profile");
   }
   set_parameters(plain, p);
   for (std::size_t c = 1; c < columns_.size(); ++c) {

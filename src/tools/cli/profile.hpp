@@ -31,6 +31,7 @@ class Profile {
   };
 
  private:
+  bool has(std::string_view column) const;
   void read_line(std::string line, const std::string& where);
   std::string value_at(std::size_t column, std::string_view unit, double x, double rounding) const;
   std::string values_of(std::size_t column, std::string_view unit, const Parameters& p) const;

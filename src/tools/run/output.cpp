@@ -32,7 +32,12 @@ void add_checkpoint_options(po::options_description& options) {
 }
 
 OutputOptions output_options(const po::variables_map& values) {
+  std::vector<std::filesystem::path> inputs;
+  for (const auto* option : {"config", "profile", "original", "script"}) {
+    if (values.count(option) > 0) inputs.emplace_back(values[option].as<std::string>());
+  }
   return {.output = file_to_write(values, "output"),
+          .inputs = std::move(inputs),
           .if_exists = values.count("force") > 0 ? IfExists::replace : IfExists::refuse,
           .sum = values.count("sum") > 0 ? SumFile::write : SumFile::omit,
           .is_quiet = values.count("quiet") > 0,
@@ -48,7 +53,7 @@ std::filesystem::path file_to_write(const po::variables_map& values, const std::
       option);
 }
 
-void check_distinct(const std::vector<std::filesystem::path>& outputs,
+void check_distinct(const std::vector<std::filesystem::path>& files, const OutputOptions& output,
                     const std::filesystem::path& input) {
   namespace fs = std::filesystem;
   const auto resolved = [](const fs::path& path) {
@@ -64,12 +69,13 @@ void check_distinct(const std::vector<std::filesystem::path>& outputs,
     if (folder.empty()) folder = resolved(fs::absolute(path).parent_path());
     return folder / path.filename();
   };
-  const fs::path place_of_input = input.empty() ? input : place(input);
-  std::set<fs::path> taken;
-  for (const fs::path& output : outputs) {
-    for (const fs::path& file : {output, sum_path(output)}) {
+  std::set<fs::path> inputs, taken;
+  if (!input.empty()) inputs.insert(place(input));
+  for (const fs::path& path : output.inputs) inputs.insert(place(path));
+  for (const fs::path& path : files) {
+    for (const fs::path& file : {path, sum_path(path)}) {
       const fs::path place_of_file = place(file);
-      if (place_of_file == place_of_input) {
+      if (inputs.contains(place_of_file)) {
         throw UsageError("{} is the input, which is never changed: give another output",
                          file.string());
       }
@@ -87,7 +93,7 @@ void check_sums(const std::vector<std::filesystem::path>& files, const OutputOpt
 }
 
 void check_output(const OutputOptions& output, const std::filesystem::path& input) {
-  check_distinct({output.output}, input);
+  check_distinct({output.output}, output, input);
   check_sums({output.output}, output);
   check_output(output.output, output.if_exists);
   try_output(output.output);

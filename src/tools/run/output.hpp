@@ -14,6 +14,7 @@ extern const Command load_command, restart_command, prepare_command, modify_phi_
 /// Options of every tool that writes a file, which `holds` a checkpoint or record.
 struct OutputOptions {
   std::filesystem::path output;
+  std::vector<std::filesystem::path> inputs;  ///< that options name; no output may replace them
   IfExists if_exists = IfExists::refuse;
   SumFile sum = SumFile::omit;
   bool is_quiet = false;  ///< no text but errors
@@ -36,9 +37,9 @@ OutputOptions output_options(const po::variables_map& values);
 /// standard output.
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);
 
-/// Throws UsageError if two outputs, their .sum files included, have the same name or one is the
-/// input, which no tool ever changes.
-void check_distinct(const std::vector<std::filesystem::path>& outputs,
+/// Throws UsageError if two of the files, with their .sum, have the same name, or one is an input,
+/// which no tool ever changes: this one, or one that options name.
+void check_distinct(const std::vector<std::filesystem::path>& files, const OutputOptions& output,
                     const std::filesystem::path& input);
 
 /// Throws Failure if a .sum is wanted where something else is that may not be replaced.

@@ -62,7 +62,7 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   const std::vector<fs::path> checkpoints = files;
   const auto& record = plan.options.record;
   if (record) files.push_back(*record);
-  check_distinct(files, input);
+  check_distinct(files, plan.options.output, input);
   check_sums(files, plan.options.output);
   for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
   if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));

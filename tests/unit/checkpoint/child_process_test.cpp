@@ -57,10 +57,10 @@ TEST(ChildProcess, is_limited) {
     return in_child_process([&] {
       rlimit limit{};
       ::getrlimit(resource, &limit);
-      return limit.rlim_max > 60 ? 254 : static_cast<int>(limit.rlim_max);
+      return limit.rlim_max > 240 ? 254 : static_cast<int>(limit.rlim_max);
     });
   };
-  expect_end(limit_in_child(RLIMIT_CPU), 60, 0);
+  expect_end(limit_in_child(RLIMIT_CPU), 240, 0);
   expect_end(limit_in_child(RLIMIT_CORE), 0, 0);
 }
 
