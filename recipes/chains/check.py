@@ -17,6 +17,11 @@ OWN = ("values", "base")  # holes that are no names
 
 def check(chains, chain):
     """The chain, and those that it comes from. Raises UsageError with the file and the line."""
+    origins = [chain]
+    while above := chains.above(origins[-1]):
+        if above in origins:
+            raise chain.error("chain", "points", "points cannot come from themselves")
+        origins.append(above)
     names = names_of(chains, chain)
     if not chain.commands:
         raise UsageError(f"{chain.shown}: it has no section [commands]")

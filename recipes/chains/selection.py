@@ -98,6 +98,8 @@ class Chains:
         starts = [point for point in starts if may_start(chain, point)]
         lists = each(lambda point: point.worked_out(chain.points["list"], point.known), starts)
         name = chain.points["element"]
+        if not all(listed is None or isinstance(listed, list) for listed in lists):
+            raise UsageError(f"{chain.points['list']} is no list")
         return [(of, {name: one}) for of, listed in zip(starts, lists) for one in listed or ()]
 
 

@@ -109,6 +109,9 @@ def values_of(text):
         each = re.sub(r"(?<=[\d.])(?=,|$)", unit[1], ", ".join(listed))
         one = re.sub(r"(?<![.\d])(\d+),(?=\d+(?![.\d]))", r"\1.", text)
         raise ValueError(f"'{text}' is unclear: write {', or '.join([one, each][one == text :])}")
+    bare = [one for one in listed if re.fullmatch(BARE, one) and 0 < abs(float(one)) < math.inf]
+    if bare and any(re.fullmatch(BARE + UNIT, one) for one in listed):
+        raise ValueError(f"'{text}' is unclear: {bare[0]} needs a unit, too")
     return listed
 
 
@@ -137,6 +140,8 @@ def rows_in(path):
 def products(lists, rows):
     """{name: its values} of each product: `lists` by section, combined with each of the rows."""
     common = lists.pop("values", {})
+    for name in {*common}.union(*lists.values()).intersection(*rows[:1] or [()]):
+        raise ValueError(f"'{name}' is a value and a column of the table; keep one of them")
     if not lists:
         return [common | row for row in rows]
     return [

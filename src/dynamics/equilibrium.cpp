@@ -91,7 +91,7 @@ void check_sigma_bar(const Parameters& p, const Prestress& prestress,
       throw UsageError("--sigma-bar must be 0 or more (got {:g})", sigma_bar[i]);
     }
     const double of_block = largest_sigma_bar(p, prestress, i, tau[static_cast<std::size_t>(i)]);
-    if (is_depinned(p, prestress, i) || sigma_bar[i] <= of_block) continue;
+    if (is_depinned(p, prestress, i) || !(sigma_bar[i] > of_block)) continue;
     const double largest = sigma_bar.varies() ? of_block : largest_sigma_bar(p, prestress);
     throw UsageError(
         "--sigma-bar {:g} would put junctions beyond f_thres: the largest possible value is "
@@ -99,6 +99,11 @@ void check_sigma_bar(const Parameters& p, const Prestress& prestress,
         sigma_bar[i], std::floor(largest * 1e4) * 1e-4,
         springs_per_block(p) == 1 ? ", as each block has only one spring" : "");
   }
+}
+
+/// Junctions without load carry nothing, and may be attached anywhere.
+double stretch(double f_ij, double k_ij) {
+  return k_ij > 0.0 ? f_ij / k_ij : 0.0;
 }
 
 /// Attaches the junctions of block i where their forces add up to tau_i and follow phi. The single
@@ -112,7 +117,7 @@ void attach(const Parameters& p, const Prestress& prestress, double tau_i, Eigen
   const double mean = tau_i / static_cast<double>(p.N_s);
   for (Eigen::Index j = 0; j < state.junctions.attachment.cols(); ++j) {
     const double f = mean + half_width * quantiles[static_cast<std::size_t>(j)];
-    state.junctions.attachment(i, j) = state.u_x(i, 0) - f / k_ij;
+    state.junctions.attachment(i, j) = state.u_x(i, 0) - stretch(f, k_ij);
   }
 }
 
@@ -124,7 +129,7 @@ void depin(const Parameters& p, double tau_i, Eigen::Index i, InterfaceLaw& law,
   const Eigen::Index springs = state.junctions.attachment.cols();
   double friction = 0.0;
   for (Eigen::Index j = 0; j < springs; ++j) {
-    state.junctions.attachment(i, j) = u_x - tau_i / static_cast<double>(p.N_s) / k_ij;
+    state.junctions.attachment(i, j) = u_x - stretch(tau_i / static_cast<double>(p.N_s), k_ij);
     law.break_spring(i, j, u_x, w, 0.0);
     friction += k_ij * (u_x - state.junctions.attachment(i, j));
   }

@@ -139,6 +139,14 @@ def test_points_from_another_chain(files, text, expected):
     assert each == expected
 
 
+def test_points_come_from_a_list(files):
+    files.write(above=ABOVE, x=below("e in above: events"))
+    files.read("above")
+    files.has_run("above", *EVENTS[:1], *EVENTS[:1])
+    with pytest.raises(UsageError, match="events is no list"):
+        files.read()
+
+
 def test_nobody_asks_for_reports_of_points_whose_values_leave_them_out(files):
     files.write(above=ABOVE, x=below("e in above: events.list where seed == 2 and e.big"))
     with pytest.raises(Waiting):

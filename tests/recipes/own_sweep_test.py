@@ -137,6 +137,8 @@ REFUSED = [
     ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
     ("[sweep]", "[sweep]\npoints = heading.csv", "there are no points"),
+    ("[sweep]", "[sweep]\npoints = one.csv", "'tau-bar' is a value and a column of the table"),
+    ("[sweep]", "[sweep]\npoints = sweep", "points cannot come from themselves"),
     ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
     ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs continue from checkpoints"),
@@ -183,8 +185,9 @@ REFUSED = [
     ),
     *(
         (VALUES, f"{VALUES}\n{same}", "two points have the same values")
-        for same in ("seed = 1, 1.0", "sigma-bar = 1e-4, 0.0001", "driving.V = 1mm/s, 1e-3")
+        for same in ("seed = 1, 1.0", "sigma-bar = 1e-4, 0.0001", "driving.V = 1mm/s, 1e-3m/s")
     ),
+    (VALUES, f"{VALUES}\njunctions.t_R = 2ms, 4", "is unclear: 4 needs a unit, too"),
     (VALUES, f"{VALUES}\njunctions.law = reference, other", r"decaying or distance \(got 'other'"),
     (VALUES, f"{VALUES}\nshape = uniform, bel", r"must be uniform or bell \(got bel\)"),
     # quantities
@@ -198,6 +201,7 @@ REFUSED = [
     ("front.type", "2 * (front.c_s", "cannot be read as an expression"),
     ("[sweep]", "[sweep]\naxis = lg", "an axis is log or linear, not 'lg'"),
     ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s has the unit 'm/s'"),
+    ("type = front.type", "v [mm/s] = front.v_c[3]", "says .mm/s., but front.v_c.3. has the unit"),
     ("type = front.type", "t [m] = front.type", "front.type has no unit; leave out .m."),
     ("type = ", "v/c_s = ", "cannot be the heading"),
     ("type = ", "status = ", "cannot be the heading"),
@@ -213,6 +217,7 @@ def test_mistakes_are_refused_in_a_sentence_and_nothing_is_written(plan, part, n
     Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
     Path("empty.csv").touch()
     Path("heading.csv").write_text("tau-bar\n")
+    Path("one.csv").write_text("tau-bar\n0.1\n")
     shutil.copyfile(RECORD, "record.h5")
     assert part in CHAIN
     with pytest.raises(UsageError, match=f"^/.*/sweep.ini[:,] .*{sentence}"):

@@ -137,8 +137,11 @@ std::string unknown_option_text(const std::string& option, const po::options_des
                       fmt::format("rupture {} --help", tool));
 }
 
-/// Throws UsageError if the word is the unit of a number that stands in front of it, and no file.
-void refuse_unit(const std::string& word) {
+/// Throws UsageError if the word belongs to what stands in front of it, and is no file.
+void refuse_part_of_value(const std::string& word) {
+  if (word == "from" && !is_there(word)) {
+    throw UsageError("unexpected word 'from': quote the value, as in \"0.6 from 70mm to 84mm\"");
+  }
   for (const ParameterInfo& info : parameter_table()) {
     if (!in_unit("1 " + word, info.unit) || is_there(word)) continue;
     throw UsageError("unexpected word '{}': write the number and its unit as one word, as in 1{}",
@@ -203,7 +206,7 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
     }
     if (parsed.values.count("unexpected") > 0) {
       const auto words = parsed.values["unexpected"].as<std::vector<std::string>>();
-      refuse_unit(words.front());
+      refuse_part_of_value(words.front());
       throw UsageError("unexpected argument '{}': {} reads no files; see rupture {} --help",
                        words.front(), command.name(), command.name());
     }
@@ -257,7 +260,7 @@ std::string single_input(const po::variables_map& values, const std::string& pos
   if (values.count(positional) == 0) throw UsageError("no file was given: name " + wanted);
   const auto inputs = values[positional].as<std::vector<std::string>>();
   if (inputs.size() > 1) {
-    std::ranges::for_each(inputs, refuse_unit);
+    std::ranges::for_each(inputs, refuse_part_of_value);
     throw UsageError("unexpected file '{}': give only one file", inputs[1]);
   }
   refuse_empty_names(inputs);
