@@ -227,10 +227,11 @@ def check_columns(chain, values, names, programs):
                     raise UsageError(f"'{heading}': {path} has no unit; leave out [{stated}]")
             else:
                 check_reported(path, names, chain.commands, programs)
-                of_list = re.fullmatch(rf"({PATH.pattern})\[\d+\]", path)
-                unit = stated or "1"
-                if of_list:
-                    unit = unit_of_column(of_list[1], chain.commands, programs)
+                element = re.fullmatch(rf"({PATH.pattern})\[\d+\]", path)
+                if element and first_known(element[1], names) in chain.commands:
+                    unit = unit_of_column(element[1], chain.commands, programs)
+                else:
+                    unit = stated or "1"
             if stated not in ("", unit):
                 raise UsageError(f"'{heading}' says [{stated}], but {path} has the unit '{unit}'")
             if "/" in name or not WORDS.fullmatch(name) or name in (".", *columns, *taken):

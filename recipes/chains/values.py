@@ -140,7 +140,7 @@ def rows_in(path):
 def products(lists, rows):
     """{name: its values} of each product: `lists` by section, combined with each of the rows."""
     common = lists.pop("values", {})
-    for name in {*common}.union(*lists.values()).intersection(*rows[:1] or [()]):
+    for name in common.keys() & next(iter(rows), {}).keys():
         raise ValueError(f"'{name}' is a value and a column of the table; keep one of them")
     if not lists:
         return [common | row for row in rows]

@@ -101,9 +101,8 @@ AlongX<T> with_patch(const Parameters& p, const ParameterInfo& info, const Along
 template <class T>
 AlongX<T> parse_blocks(const Parameters& p, const ParameterInfo& info, std::string_view text) {
   std::vector<T> blocks;
-  const bool one_each = text.find('x') == std::string_view::npos;
-  const bool fits = !one_each || std::ranges::count(text, ',') + 1 == p.Nx;
-  for (bool more = fits; more;) {
+  const bool has_counts = text.find('x') != std::string_view::npos;
+  for (bool more = has_counts || std::ranges::count(text, ',') + 1 == p.Nx; more;) {
     const auto comma = text.find(',');
     std::string_view part = text.substr(0, comma);
     more = comma != std::string_view::npos;

@@ -90,6 +90,9 @@ def test_commands_of_points_that_are_not_known_yet_are_checked(plan):
     text = (ROOT / "docs/examples/branches.ini").read_text("utf-8")
     with pytest.raises(UsageError, match="branches.ini, line .*needs the name of a file"):
         plan(text.replace("-o before.h5", "-o {start}/x"), "branches")
+    assert plan(f"{text}late [ms] = event.t_rupture[8] * 1e3\n", "branches").units["late"] == "ms"
+    assert plan(f"{text}late = event.t_rupture[8]\n", "branches").units["late"] == "1"
+    assert plan(f"{text}late = after.t_rupture[8]\n", "branches").units["late"] == "s"
 
 
 def test_points_follow_the_content_of_the_base_which_is_copied(plan):
