@@ -93,9 +93,10 @@ void read_fields(const Content& content, Record& record) {
   record.field_step = read_array<std::int64_t>(content, steps, {n});
 }
 
-void refuse_foreign(const Content& content, const RecordedRun& run) {
+void refuse_foreign(const Content& content, const Record& record) {
   std::map<std::string, std::string> units;
-  for (const auto& [path, dataset] : recorded_run_content(run)) units[path] = dataset.unit;
+  for (const auto& [path, dataset] : recorded_run_content(record.run, record.before))
+    units[path] = dataset.unit;
   layout::for_each_dataset([&](const auto& row) { units[row.path] = row.unit; });
   for (const auto& [path, dataset] : content) {
     if (path.starts_with("/parameters/") || path.starts_with("/provenance/")) continue;
@@ -217,8 +218,9 @@ Record record_from(const ContentFile& file) {
   const Content& content = file.content;
   Record record;
   record.run = read_recorded_run(content);
-  refuse_foreign(content, record.run);
   record.parameters = read_parameters(content);
+  record.before = read_event(content, record.parameters);
+  refuse_foreign(content, record);
   expect_as_written(content, record_positions(record.parameters, content));
   record.provenance = read_provenance(content);
   const std::uint64_t samples = rows_in(content, "/series/time");

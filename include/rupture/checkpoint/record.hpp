@@ -44,6 +44,7 @@ struct RecordedRun {
   double every = 0;                            ///< sampling interval [s]
   std::optional<double> fields_every = {};     ///< that of the fields, if there are any [s]
   std::optional<double> every_in_events = {};  ///< of both while an event is under way [s]
+  std::optional<double> quiet_time = {};       ///< that separates events then; none: 5 t_R [s]
 
   bool operator==(const RecordedRun&) const = default;
 };
@@ -52,12 +53,14 @@ struct RecordParts {
   std::vector<double> crossing_levels = {};  ///< pinned fractions, ascending; none: no crossings
   Fields fields = Fields::omit;
   RecordedRun run = {};
+  LatestEvent before = {};  ///< the latest event before the record begins
 };
 
 struct Record {
   Parameters parameters;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   RecordedRun run;
+  LatestEvent before;        ///< the latest event before the first sample
   std::vector<double> time;  ///< one value per sample [s]
   std::vector<std::int64_t> step;
   std::vector<double> F_T;              ///< [N]

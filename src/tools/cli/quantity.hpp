@@ -31,6 +31,11 @@ using Counts = std::vector<std::optional<std::vector<std::int64_t>>>;
 using Value = std::variant<std::optional<double>, std::int64_t, bool, std::string,
                            std::vector<double>, Numbers, Counts, Group, List>;
 
+/// The value, or null.
+inline Value if_known(bool known, Value value) {
+  return known ? std::move(value) : std::optional<double>();
+}
+
 enum class Csv { no, yes };
 
 /// A right-aligned column of the table in the text. What has no value is shown as "-".

@@ -177,7 +177,9 @@ int modify_phi(const Parsed& parsed) {
   refuse_unchanged(p, phi, change);
   phi.after = block_forces(p, checkpoint.state);
   phi.largest_change = largest_change(friction, friction_forces(p, checkpoint.state));
-  checkpoint.run.reset();  // what follows is not the run that the input came from
+  if (checkpoint.run) {  // what follows is another run, in the same event
+    checkpoint.run = run_from(p, checkpoint.state.step, std::move(checkpoint.run->event));
+  }
   checkpoint.provenance.push_back(
       make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, shell_line(command)));
   return write_and_report(FileKind::checkpoint, checkpoint_content(checkpoint), quantities_of(phi),

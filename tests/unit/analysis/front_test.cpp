@@ -150,9 +150,9 @@ TEST(Front, tells_its_slowest_and_its_mean_speed) {
   const Front front = measure(line);
   ASSERT_TRUE(front.slow);
   EXPECT_NEAR(front.slow->slowest, 4.0 / (3.0 / kSlow + 1.0 / 4.0), 1e-6);
-  ASSERT_TRUE(front.slow->mean());
+  ASSERT_TRUE(front.slow->mean_speed());
   // between blocks 19 and 36, the first and last stencils with a slow interval
-  EXPECT_NEAR(*front.slow->mean(), 17.0 / (14.0 / kSlow + 1.0 / 4.0 + 2.0 / kFast), 1e-6);
+  EXPECT_NEAR(*front.slow->mean_speed(), 17.0 / (14.0 / kSlow + 1.0 / 4.0 + 2.0 / kFast), 1e-6);
   EXPECT_NEAR(front.slow->speed, kSlow, 1e-6);
 }
 
@@ -172,7 +172,7 @@ TEST(Front, is_slow_by_the_magnitude_of_its_speed_but_counts_forwards_only) {
 }
 
 TEST(Front, is_fast_slow_fast_by_the_papers_words) {
-  const auto is_so = [](const RuptureLine& line) { return measure(line).fast_slow_fast; };
+  const auto is_so = [](const RuptureLine& line) { return measure(line).fast_slow_fast == Answer::yes; };
   EXPECT_TRUE(is_so(slow_between(20, 35)));
   EXPECT_TRUE(is_so(slow_between(20, 35, 60.0))) << "c_s/16, and so never below c_s/20";
   EXPECT_FALSE(is_so(slow_between(20, 23, 65.0))) << "two stencils";
@@ -191,7 +191,7 @@ TEST(Front, is_fast_slow_fast_by_the_papers_words) {
   EXPECT_FALSE(is_so(also_at_80(45, 56))) << "the median after it";
   RuptureLine arrested = slow_between(20, 35);
   arrest_behind(arrested, 50);
-  EXPECT_FALSE(measure(arrested).fast_slow_fast);
+  EXPECT_EQ(measure(arrested).fast_slow_fast, Answer::no);
   const SlowStretch slow = measure(slow_between(20, 35)).in_words.value();
   EXPECT_EQ(std::pair(slow.x_from, slow.x_to), std::pair(arrested.x[19], arrested.x[36]));
   EXPECT_NEAR(measure(slow_between(20, 35)).speed.value(), kFast, 1e-4);
@@ -309,11 +309,11 @@ TEST(SlowStretch, is_measured_as_the_twelve_blocks_in_docs_claims_md_show) {
   const double c_s = shear_wave_speed(Parameters{});
   const SlowStretch slow = front.slow.value();
   EXPECT_EQ(std::pair(slow.x_from, slow.x_to), std::pair(line.x[6], line.x[9]));
-  EXPECT_NEAR(slow.duration(), 0.51e-3, 1e-12);
+  EXPECT_NEAR(slow.duration().value(), 0.51e-3, 1e-12);
   EXPECT_NEAR(c_s / slow.slowest, 51, 0.5);
   EXPECT_NEAR(c_s / slow.fast_before.value(), 4, 0.5);
   EXPECT_FALSE(slow.fast_after);
-  EXPECT_NEAR(slow.mean().value(), 7.5e-3 / 0.51e-3, 1e-6);
+  EXPECT_NEAR(slow.mean_speed().value(), 7.5e-3 / 0.51e-3, 1e-6);
 }
 
 TEST(SlowStretch, does_not_reach_into_the_loading_zone) {
@@ -327,8 +327,8 @@ TEST(SlowStretch, of_a_single_stencil_has_no_duration_and_no_mean_speed) {
   ASSERT_TRUE(front.slow);
   EXPECT_EQ(front.slow->x_from, 22 * kSpacing);
   EXPECT_EQ(front.slow->x_from, front.slow->x_to);
-  EXPECT_EQ(front.slow->duration(), 0.0);
-  EXPECT_FALSE(front.slow->mean());
+  EXPECT_FALSE(front.slow->duration());
+  EXPECT_FALSE(front.slow->mean_speed());
 }
 
 TEST(SlowStretch, in_words_is_below_a_tenth_of_the_speed_of_shear_waves) {
