@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "rupture/analysis/statistics.hpp"
@@ -173,17 +174,18 @@ double smallest_force(const LoadingCurve& loading, double from, double to) {
   return smallest;
 }
 
+/// An event with ruptures in the window.
 Event describe(const Parameters& p, std::span<const Rupture> ruptures, const LoadingCurve& loading,
-               double quiet, const FrontCriteria& criteria, const LatestEvent& before) {
+               double quiet, const FrontCriteria& criteria) {
+  const double from = just_after(loading.time.front());
+  const Rupture& first = *std::ranges::lower_bound(ruptures, from, {}, &Rupture::time);
+  RuptureLine line = rupture_line(p, ruptures, from, ruptures.back().time);
   Event event;
-  event.t_start = ruptures.front().time;
+  event.t_start = first.time;
   event.t_end = ruptures.back().time;
-  event.x_first = block_position(p, ruptures.front().block);
-  const bool goes_on = before.is_under_way(event.t_start, quiet);
-  RuptureLine line = rupture_line(p, ruptures, event.t_start, event.t_end,
-                                  goes_on ? before.first : FirstRuptures{});
   event.silence = loading.time.back() - event.t_end;
   line.is_over = is_over(event.silence, quiet);
+  event.x_first = block_position(p, first.block);
   event.x_last = *furthest(line.x, whole_event(line));
   event.front = measure_front(p, std::move(line), criteria);
   event.F_T_before = force_at(loading, event.t_start);
@@ -198,16 +200,23 @@ std::size_t RuptureLine::ruptured_before() const {
       std::ranges::count_if(before, [](const auto& t) { return t.has_value(); }));
 }
 
-RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,
-                         double to, const FirstRuptures& before) {
-  RuptureLine line{block_positions(p), {}, before};
-  line.t_rupture.resize(line.x.size());
-  line.before.resize(line.x.size());
+FirstRuptures first_ruptures(const Parameters& p, std::span<const Rupture> ruptures, double from,
+                             double to) {
+  FirstRuptures first(static_cast<std::size_t>(p.Nx));
   for (const Rupture& rupture : ruptures) {
-    const auto i = static_cast<std::size_t>(rupture.block);
-    if (rupture.time > to || line.before[i]) continue;
-    auto& t = rupture.time < from ? line.before[i] : line.t_rupture[i];
+    auto& t = first[static_cast<std::size_t>(rupture.block)];
+    if (rupture.time < from || rupture.time > to) continue;
     if (!t || rupture.time < *t) t = rupture.time;
+  }
+  return first;
+}
+
+RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,
+                         double to) {
+  RuptureLine line = {block_positions(p), first_ruptures(p, ruptures, from, to)};
+  line.before = first_ruptures(p, ruptures, 0.0, std::nextafter(from, 0.0));
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    if (line.before[i]) line.t_rupture[i].reset();
   }
   return line;
 }
@@ -303,14 +312,17 @@ std::vector<std::span<const Rupture>> split_at_pauses(std::span<const Rupture> r
   return parts;
 }
 
+double just_after(double time) {
+  return std::nextafter(time, std::numeric_limits<double>::infinity());
+}
+
 std::vector<Event> find_events(const Parameters& p, std::span<const Rupture> ruptures,
                                const LoadingCurve& loading, double quiet,
-                               const FrontCriteria& criteria, const LatestEvent& before) {
+                               const FrontCriteria& criteria) {
   std::vector<Event> events;
   for (const auto part : split_at_pauses(ruptures, quiet)) {
-    const bool is_first = events.empty();
-    events.push_back(
-        describe(p, part, loading, quiet, criteria, is_first ? before : LatestEvent{}));
+    if (part.back().time <= loading.time.front()) continue;
+    events.push_back(describe(p, part, loading, quiet, criteria));
   }
   return events;
 }

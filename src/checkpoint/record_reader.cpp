@@ -251,7 +251,37 @@ Content finished_content(const RecordFile& part, const std::vector<ProvenanceEnt
   return whole;
 }
 
-std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
+namespace {
+
+/// The latest event before the first sample, of blocks below this fraction.
+LatestEvent event_before(const Record& record, double fraction) {
+  LatestEvent event = record.before;
+  const Parameters& p = record.parameters;
+  const double limit = pinned_limit(p, fraction);
+  for (std::size_t i = 0; i < event.first.size() && record.pinned.rows() > 0; ++i) {
+    const auto block = static_cast<Eigen::Index>(i);
+    const bool is_below = record.pinned(0, block) < limit;
+    auto& t = event.first[i];
+    if (fraction > kRupturedFraction && is_below && !t) t = record.time[0];
+    const bool is_recent = t && record.time[0] - *t < 0.5 * p.t_R[block];
+    if (fraction < kRupturedFraction && !is_below && is_recent) t.reset();
+  }
+  return event;
+}
+
+/// As ruptures in order of time, and the last one, by a block that had ruptured.
+std::vector<Rupture> ruptures_of(const LatestEvent& event) {
+  std::vector<Rupture> ruptures;
+  for (std::size_t i = 0; i < event.first.size(); ++i) {
+    if (event.first[i]) ruptures.push_back({0, *event.first[i], static_cast<std::int64_t>(i)});
+  }
+  std::ranges::stable_sort(ruptures, {}, &Rupture::time);
+  if (!ruptures.empty()) ruptures.push_back({0, event.last_rupture, ruptures.front().block});
+  return ruptures;
+}
+
+/// Those in the record.
+std::vector<Rupture> recorded_below(const Record& record, double fraction) {
   if (fraction == kRupturedFraction) return record.ruptures;
   const auto& levels = record.crossing_levels;
   if (std::find(levels.begin(), levels.end(), fraction) == levels.end()) {
@@ -266,6 +296,15 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
   for (const Rupture& crossing : record.crossings) {
     if (crossing.pinned_below == fraction) ruptures.push_back(crossing);
   }
+  return ruptures;
+}
+
+}  // namespace
+
+std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
+  std::vector<Rupture> ruptures = ruptures_of(event_before(record, fraction));
+  const auto recorded = recorded_below(record, fraction);
+  ruptures.insert(ruptures.end(), recorded.begin(), recorded.end());
   return ruptures;
 }
 

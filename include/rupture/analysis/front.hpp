@@ -40,10 +40,13 @@ struct RuptureLine {
   std::size_t ruptured_before() const;  ///< how many blocks
 };
 
-/// The ruptures of one event at times in [from, to] [s], after what is known of it from `before`
-/// them.
+/// The first rupture of each block at times in [from, to] [s].
+FirstRuptures first_ruptures(const Parameters& parameters, std::span<const Rupture> ruptures,
+                             double from, double to);
+
+/// The ruptures of one event, in the window [from, to] [s] and before it.
 RuptureLine rupture_line(const Parameters& parameters, std::span<const Rupture> ruptures,
-                         double from, double to, const FirstRuptures& before = {});
+                         double from, double to);
 
 /// When the contiguous ruptured region reaches each block [s]. Its edge is the front. From the
 /// block s where it starts, the region grows to both sides:
@@ -159,10 +162,14 @@ inline bool is_over(double silence, double quiet) {
 }
 
 /// Splits the ruptures into events: a new one begins when no block has ruptured for `quiet` [s]
-/// (default elsewhere: 5 t_R). The first one goes on from the event `before` the ruptures, if that
-/// was under way; the last one is over if the loading curve goes on for as long.
+/// (default elsewhere: 5 t_R). The loading curve is the window: an event whose ruptures are all
+/// before it does not count, and the last one is over if it goes on for long enough.
 std::vector<Event> find_events(const Parameters& parameters, std::span<const Rupture> ruptures,
                                const LoadingCurve& loading, double quiet,
-                               const FrontCriteria& criteria, const LatestEvent& before = {});
+                               const FrontCriteria& criteria);
+
+/// When a window begins that begins with this sample: what ruptured in its step belongs to what was
+/// before [s].
+double just_after(double time);
 
 }  // namespace rupture

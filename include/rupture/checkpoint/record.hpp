@@ -136,7 +136,10 @@ Record read_record(const std::filesystem::path& path);
 Record record_from(const ContentFile& file);
 
 /// When blocks' pinned fractions fell below `fraction`: the ruptures, or the crossings of this
-/// level. Throws Failure if the record does not hold them.
+/// level; first those of the latest event before the first sample, with its last one. Of these,
+/// the record holds when blocks fell below kRupturedFraction. Whether they had fallen below another
+/// fraction, its first sample tells: not yet if they are above it and ruptured less than t_R/2 ago.
+/// Throws Failure if the record does not hold the level.
 std::vector<Rupture> ruptures_below(const Record& record, double fraction);
 
 /// A record, and its datasets as they are in the file.

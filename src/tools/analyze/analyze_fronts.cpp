@@ -194,8 +194,8 @@ Report report_of_events(const RecordCommand& command) {
   const Record& record = command.record;
   const FrontCriteria how = criteria(command);
   const double quiet = quiet_time(command);
-  const auto events = find_events(record.parameters, record.ruptures, {record.time, record.F_T},
-                                  quiet, how, record.before);
+  const auto events =
+      find_events(record.parameters, record.ruptures, {record.time, record.F_T}, quiet, how);
   const Quantities rows = quantities_of(record.parameters, events, how, quiet);
   if (!events.empty()) return {rows, events_text(record.parameters, events, quiet)};
   return {rows, fmt::format("no events: nothing ruptured from t = {:.7g} s to {:.7g} s\n",

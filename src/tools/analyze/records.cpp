@@ -25,10 +25,15 @@ void check_overlap(const RecordCommand& command) {
 
 using Bursts = std::vector<std::span<const Rupture>>;
 
+/// When the window begins in which ruptures count.
+double first_moment(const RecordCommand& command) {
+  return std::max(command.from, just_after(command.record.time.front()));
+}
+
 /// Numbers of the events with ruptures in the window.
 std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto counts = [&](const Rupture& rupture) {
-    return rupture.time >= command.from && rupture.time <= command.to;
+    return rupture.time >= first_moment(command) && rupture.time <= command.to;
   };
   std::vector<std::size_t> numbers;
   for (std::size_t n = 0; n < bursts.size(); ++n) {
@@ -52,41 +57,29 @@ std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& number
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// How the event ends whose ruptures are these, in a window up to `to` [s].
-EventEnd end_of(const RecordCommand& command, std::span<const Rupture> burst, double to) {
+/// An event in a window, with what the record knows of it from before.
+ChosenEvent part_in_window(const RecordCommand& command, std::span<const Rupture> burst,
+                           double from, double to) {
   const double quiet = quiet_time(command), record_end = command.record.time.back();
   const auto later = std::ranges::upper_bound(burst, to, {}, &Rupture::time);
-  if (later != burst.end()) {
-    const double last = later == burst.begin() ? to : std::prev(later)->time;
-    return {to - last, quiet, /*is_over=*/false};
-  }
-  const LatestEvent& before = command.record.before;
-  const double last = burst.empty() ? before.last_rupture : burst.back().time;
-  return {record_end - last, quiet, is_over(record_end - last, quiet)};
-}
-
-/// The event with these ruptures in a window, and what the record knows of it from before.
-ChosenEvent part_in_window(const RecordCommand& command, const Bursts& bursts, std::size_t number,
-                           double from, double to) {
-  ChosenEvent event = {bursts[number], from, to};
-  const bool goes_on = number == 0 && command.record.before.is_under_way(bursts[0].front().time,
-                                                                         quiet_time(command));
-  if (goes_on) event.before = command.record.before.first;
-  event.end = end_of(command, bursts[number], to);
-  return event;
+  const bool goes_on = later != burst.end();  // beyond the window
+  const double silence = (goes_on ? to : record_end) - std::prev(later)->time;
+  const bool is_whole = command.values.count("from") + command.values.count("to") == 0;
+  return {burst,
+          from,
+          to,
+          1,
+          {silence, quiet, !goes_on && is_over(silence, quiet), is_whole ? "record" : "window"}};
 }
 
 /// The event that is under way when a window begins in which nothing ruptures, if there is one.
-ChosenEvent silent_event(const RecordCommand& command, const Bursts& bursts) {
-  const double from = command.from, to = command.to, quiet = quiet_time(command);
-  ChosenEvent event = {{}, from, to};
-  std::size_t next = 0;
-  while (next < bursts.size() && bursts[next].front().time < from) ++next;
-  if (next > 0 && from - bursts[next - 1].back().time <= quiet) {
-    event = part_in_window(command, bursts, next - 1, from, to);
-  } else if (next == 0 && command.record.before.is_under_way(from, quiet)) {
-    event.before = command.record.before.first;
-    event.end = end_of(command, {}, to);
+ChosenEvent silent_event(const RecordCommand& command) {
+  const double from = first_moment(command), quiet = quiet_time(command);
+  ChosenEvent event = {{}, from, command.to};
+  for (const auto burst : split_at_pauses(command.record.ruptures, quiet)) {
+    const auto next = std::ranges::lower_bound(burst, from, {}, &Rupture::time);
+    if (next == burst.begin() || from - std::prev(next)->time > quiet) continue;
+    event = part_in_window(command, burst, from, command.to);
   }
   event.in_window = 0;
   return event;
@@ -94,7 +87,7 @@ ChosenEvent silent_event(const RecordCommand& command, const Bursts& bursts) {
 
 ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto numbers = numbers_in_window(command, bursts);
-  if (numbers.empty()) return silent_event(command, bursts);
+  if (numbers.empty()) return silent_event(command);
   const Record& record =
       command.record;  // whether it begins with the trigger of a prepared interface
   const bool is_trigger =
@@ -105,14 +98,16 @@ ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) 
         "first-spanning, or with --from and --to",
         numbers.size(), list_of(bursts, numbers));
   }
-  ChosenEvent event = part_in_window(command, bursts, numbers.front(), command.from, command.to);
+  ChosenEvent event =
+      part_in_window(command, bursts[numbers.front()], first_moment(command), command.to);
   event.in_window = numbers.size();
   return event;
 }
 
 ChosenEvent whole_event(const RecordCommand& command, const Bursts& bursts, std::size_t number) {
   const auto burst = bursts[number];
-  return part_in_window(command, bursts, number, burst.front().time, burst.back().time);
+  const double from = std::max(burst.front().time, first_moment(command));
+  return part_in_window(command, burst, from, burst.back().time);
 }
 
 ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
@@ -251,7 +246,10 @@ double quiet_time(const RecordCommand& command) {
 
 ChosenEvent choose_event(const RecordCommand& command) {
   const auto& values = command.values;
-  const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
+  Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
+  if (!bursts.empty() && bursts.front().back().time <= command.record.time.front()) {
+    bursts.erase(bursts.begin());
+  }
   if (values.count("event") == 0) return event_in_window(command, bursts);
   const auto& name = values["event"].as<std::string>();
   return name == "first-spanning" ? first_spanning(command, bursts)
@@ -302,7 +300,7 @@ Quantity criteria_quantity(const FrontCriteria& criteria) {
 
 Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   const Parameters& p = command.record.parameters;
-  RuptureLine line = rupture_line(p, event.ruptures, event.from, event.to, event.before);
+  RuptureLine line = rupture_line(p, event.ruptures, event.from, event.to);
   line.is_over = event.end.is_over;
   return measure_front(p, std::move(line), criteria(command));
 }
@@ -323,14 +321,13 @@ Quantities hidden_quantities(const Front& front, const EventEnd& end) {
 std::string hidden_text(const Front& front, const EventEnd& end) {
   std::string text;
   if (const auto before = front.line.ruptured_before(); before > 0) {
-    text += fmt::format("{} block{} had ruptured before the record or window begins\n", before,
-                        before == 1 ? "" : "s");
+    text += fmt::format("{} block{} had ruptured before the {} begins\n", before,
+                        before == 1 ? "" : "s", end.window);
   }
   if (!end.is_over) {
     text += fmt::format(
-        "the record or window ends {:.3g} ms after the last rupture; an event is over after {:g} "
-        "ms\n",
-        end.silence * 1e3, end.quiet_time * 1e3);
+        "the {} ends {:.3g} ms after the last rupture; an event is over after {:g} ms\n",
+        end.window, end.silence * 1e3, end.quiet_time * 1e3);
   }
   return text;
 }

@@ -36,6 +36,7 @@ struct EventEnd {
   double silence = 0;     ///< from its last rupture to the end of the window [s]
   double quiet_time = 0;  ///< after which it is over [s]
   bool is_over = true;
+  std::string_view window = "record";  ///< what begins and ends
 };
 
 /// The block ruptures of one event, as find_events() splits them, in a window of time.
@@ -43,7 +44,6 @@ struct ChosenEvent {
   std::span<const Rupture> ruptures;  ///< empty if nothing ruptured
   double from = 0, to = 0;            ///< those at later times do not count [s]
   std::size_t in_window = 1;          ///< events from --from to --to; 1 if --event names it
-  FirstRuptures before = {};          ///< those before the record begins; empty: none
   EventEnd end = {};
 };
 

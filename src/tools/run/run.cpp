@@ -87,9 +87,8 @@ void announce_events(const fs::path& path, const OutputOptions& output) {
   if (output.is_quiet) return;
   const Record record = read_record(path);
   const Parameters& p = record.parameters;
-  const double quiet = pause_between_events(p);
-  const auto events =
-      find_events(p, record.ruptures, {record.time, record.F_T}, quiet, {}, record.before);
+  const auto events = find_events(p, ruptures_below(record, kRupturedFraction),
+                                  {record.time, record.F_T}, pause_between_events(p), {});
   const auto spanning =
       std::ranges::count_if(events, [](const Event& event) { return spans(event.front.type); });
   if (events.empty()) return output.say("no events\n");

@@ -49,7 +49,9 @@ TEST(RuptureLine, holds_the_first_rupture_of_each_block_in_the_window) {
   ASSERT_EQ(line.x.size(), kBlocks);
   ASSERT_EQ(line.t_rupture.size(), kBlocks);
   EXPECT_DOUBLE_EQ(line.x[4], 4 * kSpacing);
-  EXPECT_EQ(line.t_rupture[3], 0.2);
+  EXPECT_EQ(line.t_rupture[3], std::nullopt) << "it had ruptured before";
+  EXPECT_EQ(line.before[3], 0.1);
+  EXPECT_EQ(line.ruptured_before(), 1U);
   EXPECT_EQ(line.t_rupture[4], 0.3);
   EXPECT_EQ(line.t_rupture[5], std::nullopt);
   EXPECT_EQ(line.t_rupture[6], 0.25);
@@ -172,7 +174,9 @@ TEST(Front, is_slow_by_the_magnitude_of_its_speed_but_counts_forwards_only) {
 }
 
 TEST(Front, is_fast_slow_fast_by_the_papers_words) {
-  const auto is_so = [](const RuptureLine& line) { return measure(line).fast_slow_fast == Answer::yes; };
+  const auto is_so = [](const RuptureLine& line) {
+    return measure(line).fast_slow_fast == Answer::yes;
+  };
   EXPECT_TRUE(is_so(slow_between(20, 35)));
   EXPECT_TRUE(is_so(slow_between(20, 35, 60.0))) << "c_s/16, and so never below c_s/20";
   EXPECT_FALSE(is_so(slow_between(20, 23, 65.0))) << "two stencils";
