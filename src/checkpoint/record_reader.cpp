@@ -257,14 +257,17 @@ namespace {
 LatestEvent event_before(const Record& record, double fraction) {
   LatestEvent event = record.before;
   const Parameters& p = record.parameters;
-  const double limit = pinned_limit(p, fraction);
-  for (std::size_t i = 0; i < event.first.size() && record.pinned.rows() > 0; ++i) {
+  if (record.time.empty() || fraction == kRupturedFraction) return event;
+  const double now = record.time[0], limit = pinned_limit(p, fraction);
+  const bool is_under_way = event.is_under_way(now, pause_between_events(p));
+  for (std::size_t i = 0; i < event.first.size(); ++i) {
     const auto block = static_cast<Eigen::Index>(i);
-    const bool is_below = record.pinned(0, block) < limit;
+    const double pinned = record.pinned(0, block);
     auto& t = event.first[i];
-    if (fraction > kRupturedFraction && is_below && !t) t = record.time[0];
-    const bool is_recent = t && record.time[0] - *t < 0.5 * p.t_R[block];
-    if (fraction < kRupturedFraction && !is_below && is_recent) t.reset();
+    const bool is_recent = t && now - *t < 0.5 * p.t_R[block];
+    if (is_recent && pinned >= limit) t.reset();
+    const bool has_ruptured = t || pinned < pinned_limit(p, kRupturedFraction);
+    if (is_under_way && !has_ruptured && pinned < limit) t = now;
   }
   return event;
 }

@@ -49,6 +49,8 @@ def test_records_of_the_halves_are_that_of_the_whole():
         assert [b if a is None else a for a, b in zip(first, second)] == whole
         assert whole[5] is not None
         assert (first[5] is None) == (level == "0.2")
+        before = json_of(f"analyze front r2.h5 --json --ruptured-below {level}")["t_before"]
+        assert [t is not None for t in before] == [t is not None for t in first]
 
 
 def test_samples_are_dense_while_an_event_is_under_way():
@@ -98,6 +100,8 @@ def test_a_run_knows_its_record_by_its_id_and_the_intervals():
         run_of_record = {name: value[()] for name, value in record["/run"].items()}
     run_id = dataset("x.h5", "/run/id")
     assert len(run_id) == 64
+    assert run_of_record.pop("event").tolist() == [-1] * 9
+    assert run_of_record.pop("last_rupture") == 0
     assert run_of_record == {"id": run_id, "record_every": 3e-5, "fields_every": 1e-4}
 
 
