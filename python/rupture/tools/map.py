@@ -30,7 +30,7 @@ def parse_options():
         " panel.",
         "record",
     )
-    made.add_argument("records", metavar="RECORD", nargs="+")
+    made.add_argument("records", metavar="RECORD", nargs="+", help="records, or their .part")
     made.add_output("picture to write: .png, .pdf or .svg")
     add_window(made)
     return made.parse_args()

@@ -33,7 +33,7 @@ def parse_options():
         " slider above it, coloured by its speed, shear stress or displacement.",
         "record",
     )
-    made.add_argument("record", metavar="RECORD")
+    made.add_argument("record", metavar="RECORD", help="record, or its .part")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
     text = f"quantity that colours the slider{DEFAULT}"
     made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)

@@ -37,7 +37,7 @@ def parse_options():
         " FILE-derived.hdf5.",
         "file",
     )
-    made.add_argument("files", metavar="FILE", nargs="+")
+    made.add_argument("files", metavar="FILE", nargs="+", help="checkpoints, or one record")
     made.add_output("file to write: .xdmf")
     return made.parse_args()
 

@@ -80,10 +80,11 @@ Quantities join(const std::vector<Quantities>& lists);
 void add_json_option(po::options_description& options);
 void add_format_options(po::options_description& options);
 
-/// What a command prints: rows, and what follows their table in the text.
+/// What a command prints: rows, and what stands around their table in the text.
 struct Report {
   Quantities rows;
   std::string closing;
+  std::string opening = {};
 };
 
 /// Prints the form that was asked for to standard output: one JSON object, CSV, or text; kDone.
