@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 
 #include "cli/interruption.hpp"
@@ -18,12 +19,16 @@
 namespace rupture::tools {
 namespace {
 
+/// Options that a file cannot have.
+constexpr std::array kTyped = {"force", "resume", "config", "describe", "version", "help"};
+
 po::options_description common_options(UsesParameters uses_parameters) {
   po::options_description common("Common options");
   auto add = common.add_options();
   if (uses_parameters == UsesParameters::yes) {
     add("config", input_file("options and parameters"),
-        "INI file with options and parameters ([slider] L = 0.14 ...)");
+        "INI file with options and parameters ([slider] L = 0.14 ...). Flags are yes or no "
+        "there, and lists have blanks between their values");
     add("set", assignments(), "set one parameter, overriding --config; may be repeated");
     add("seed", seed(), "short for --set numerics.seed=N");
   }
@@ -65,6 +70,30 @@ void add_once(ParameterChange change, ParameterChanges& changes) {
   changes.push_back(std::move(change));
 }
 
+/// What yes or no, or other words for them, say; none if it is neither.
+std::optional<bool> yes_or_no(const std::string& word) try {
+  boost::any value;
+  po::validate(value, {word.empty() ? "neither" : word}, static_cast<bool*>(nullptr), 0);
+  return boost::any_cast<bool>(value);
+} catch (const po::validation_error&) {
+  return std::nullopt;
+}
+
+/// An option in an INI file as on the command line; none if the file switches it off.
+std::optional<po::option> as_typed(po::option option, const po::options_description& options,
+                                   const std::string& where) {
+  const auto& kind = *options.find(option.string_key, /*approx=*/false).semantic();
+  const std::string value = option.value.front();
+  const bool is_list = kind.max_tokens() > 1 && !value.empty();
+  if (is_list) option.value = po::split_unix(value, " \t", "\"", /*escape=*/"");
+  const std::optional<bool> is_on = yes_or_no(value);
+  const bool is_flag = kind.max_tokens() == 0 || (is_on && !number_in(value, "s"));
+  if (kind.min_tokens() > 0 || !is_flag) return option;
+  if (!is_on) throw UsageError("{} must be yes or no (got '{}')", where + option.string_key, value);
+  option.value.clear();
+  return *is_on ? std::optional(option) : std::nullopt;
+}
+
 /// A line of an INI file without the comment that ; begins, there or behind a space, as in sweeps.
 std::string without_comment(const std::string& line) {
   const std::string text = " " + line;
@@ -98,21 +127,23 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   std::istringstream lines(text_of_file(path, "configuration file", "INI file"));
   ParameterChanges changes;
   po::parsed_options known(&options);
+  std::set<std::string> given;
   std::string group, line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string where = fmt::format("{}:{}: ", path, number);
     try {
       for (const po::option& option : options_in(without_comment(line), group, options)) {
         if (option.unregistered) check_name(option.string_key, options, where);
-        if (option.string_key == "force" || option.string_key == "resume") {
-          throw UsageError("{}{} replaces files: give it on the command line, not in a file", where,
-                           option.string_key);
-        }
+        const std::string& name = option.string_key;
+        if (std::ranges::count(kTyped, name) > 0)
+          throw UsageError("{}give {} on the command line, not in a file", where, name);
         if (auto change = change_by(option, where)) {
           add_once(*std::move(change), changes);
-        } else {
-          known.options.push_back(option);
-          po::variables_map so_far;  // an impossible value, or a second one, throws
+        } else if (!given.insert(name).second) {
+          throw UsageError("{}{} is given twice: give it once", where, name);
+        } else if (const auto typed = as_typed(option, options, where)) {
+          known.options.push_back(*typed);
+          po::variables_map so_far;  // an impossible value throws
           po::store(known, so_far);
         }
       }
