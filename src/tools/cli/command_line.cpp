@@ -157,9 +157,16 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   return changes;
 }
 
+/// Throws UsageError for an = behind a short option: -o=x.h5 would name the file =x.h5.
+void refuse_equals_sign(const std::string& word) {
+  if (!word.starts_with('-') || word.starts_with("--") || word.find('=') == word.npos) return;
+  throw UsageError("'{}' has an '=' behind a short option: leave a blank, as in -o x.h5", word);
+}
+
 /// "unknown option '--untill': did you mean '--until'?"
 std::string unknown_option_text(const std::string& option, const po::options_description& known,
                                 std::string_view tool) {
+  refuse_equals_sign(option);
   std::vector<std::string> names;
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());
@@ -227,6 +234,10 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
   try {
     const po::parsed_options given =
         po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run();
+    for (const po::option& option : given.options) {  // -o =x.h5 are two words
+      const bool begins_so = !option.value.empty() && option.value.front().starts_with('=');
+      if (begins_so) refuse_equals_sign(option.original_tokens.front());
+    }
     po::store(given, parsed.values);
     if (parsed.values.count("help") > 0) throw HelpRequested{help_text(command, shown)};
     if (parsed.values.count("describe") > 0) {
