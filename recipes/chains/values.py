@@ -9,7 +9,7 @@ from pathlib import Path
 
 from chains.expressions import Expression, as_number
 from rupture.errors import UsageError
-from rupture.units import NUMBER, PREFIXES, UNIT, amount
+from rupture.units import NUMBER, PREFIXES, UNIT, amount, one_name
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 # A number without a unit before one with a unit, which may be that of both, or the comma a decimal
@@ -122,7 +122,7 @@ def rows_in(path):
         raise UsageError(f"there is no table of points {path}")
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
-            table = csv.DictReader(file, restkey="", skipinitialspace=True)
+            table = csv.DictReader(map(one_name, file), restkey="", skipinitialspace=True)
             rows = {table.line_num: row for row in table}
             names = table.fieldnames or []
     except (UnicodeDecodeError, csv.Error):
