@@ -9,7 +9,7 @@ from pathlib import Path
 
 from chains.expressions import Expression, as_number
 from rupture.errors import UsageError
-from rupture.units import NUMBER, PREFIXES, UNIT, amount
+from rupture.units import NUMBER, PREFIXES, UNIT, amount, one_name
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 # A number without a unit before one with a unit, which may be that of both, or the comma a decimal
@@ -121,7 +121,7 @@ def table_in(path):
     found = {}
     with open(path, encoding="utf-8-sig") as file:
         for number, line in enumerate(file, 1):
-            plain = line.rstrip("\n").replace("\t", " ")
+            plain = one_name(line.rstrip("\n").replace("\t", " "))
             cells = [cell.strip(" ") for cell in next(csv.reader([plain], skipinitialspace=True))]
             while cells and not cells[-1]:
                 cells.pop()

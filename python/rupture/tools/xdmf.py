@@ -13,7 +13,7 @@ import numpy as np
 from rupture.elasticity import STRESSES, stress_of
 from rupture.errors import Failure, UsageError
 from rupture.files import Record, open_file
-from rupture.programs import analyze
+from rupture.programs import analyze, verify
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, progress, say_written
 
@@ -55,6 +55,7 @@ def fields_of(record):
         raise Failure(f"{record.path} is unfinished: complete it with rupture finish")
     if "fields/time" not in record:
         raise Failure(f"{record.path} has no fields: run it again with --fields")
+    verify(record.path)
     times = record["fields/time"]
     rows = np.searchsorted(record.time, times)
     arrays = {name: record[f"fields/{name}"] for name in DISPLACEMENT}

@@ -204,11 +204,13 @@ std::string Profile::values_of(std::size_t column, std::string_view unit,
 void Profile::apply(Parameters& p) const {
   ParameterChanges plain, parts;
   for (const auto& change : parsed_.parameters) {
-    if (is_along_x(change.value)) {
-      parts.push_back(change);
-    } else if (!has(change.name)) {
-      plain.push_back(change);
-    } else if (change.where.empty()) {  // not from a configuration file
+    const bool is_part = is_along_x(change.value), is_in_file = !change.where.empty();
+    if (!has(change.name) || (is_part && !is_in_file)) {
+      (is_part ? parts : plain).push_back(change);
+    } else if (is_part) {
+      throw UsageError("{}the profile has {}: give a part of it with --set", change.where,
+                       change.name);
+    } else if (!is_in_file) {
       throw UsageError("the profile has {}: leave --set out", change.name);
     }
   }

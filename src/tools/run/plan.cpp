@@ -95,7 +95,7 @@ void add_run_options(po::options_description& options) {
       "sampling interval of the record; the times of ruptures are exact to one time step");
   add("record-every-in-events", seconds(),
       "during an event, also sample at this interval, fields too. An event goes on until no block "
-      "has ruptured for --quiet-time. --dry-run does not count these samples");
+      "has ruptured for --quiet-time");
   add("crossings", text("F,..."),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
   add("fields", seconds(),
@@ -112,7 +112,8 @@ void add_run_options(po::options_description& options) {
       "are those of an uninterrupted run");
   add("dry-run",
       "write nothing: check the command, and estimate the time and disk space that it needs. The "
-      "time per step is measured for half a second");
+      "time per step is measured for half a second, as processor time: on a busy machine, the run "
+      "takes longer. Samples in events are counted as if all of the run was an event");
   add_output_options(options, "checkpoint");
 }
 
