@@ -1,5 +1,5 @@
-"""All that README, tutorial, runs, pictures, sweeps and python print is typed in one folder, in this
-order. A slider of fewer blocks, driven faster, takes the place of the reference: runs take seconds."""
+"""All that these pages print is typed in one folder, in this order. A slider of fewer blocks, driven
+faster, takes the place of the reference: runs take seconds."""
 
 import os
 import re
@@ -38,7 +38,8 @@ def commands_of(page):
     """A command for each line in the shell, and one for each block in Python. The file of a sweep
     is written, with one seed. The README's first blocks set the project up, which other tests do.
     """
-    before, _, after = (ROOT / f"{page}.md").read_text("utf-8").partition("## Your own experiments\n")
+    text = (ROOT / f"{page}.md").read_text("utf-8")
+    before, _, after = text.partition("## Your own experiments\n")
     commands = []
     for language, code, indented in BLOCK.findall(after or before):
         if language == "python":
