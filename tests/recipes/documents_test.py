@@ -1,5 +1,5 @@
-"""All that these pages print is typed in one folder, in this order. A slider of fewer blocks, driven
-faster, takes the place of the reference: runs take seconds."""
+"""All that these pages print is typed in one folder, in this order. A slider of fewer blocks,
+driven faster, takes the place of the reference: runs take seconds."""
 
 import os
 import re
