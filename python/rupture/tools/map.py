@@ -11,7 +11,7 @@ from rupture.programs import analyze
 from rupture.tables import imported
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, origin_of, progress, say_written
-from rupture.tools.window import add_window, open_record, window_of
+from rupture.tools.window import add_window, last_rupture, open_record, window_of
 
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
@@ -46,8 +46,15 @@ def shown_of(options, path):
         if len(options.records) == 1:
             raise
         raise type(error)(f"{path}: {error}") from None
-    inside = [one for one in events if one["t_end"] >= begin and one["t_start"] <= end]
+    inside = [one for one in events if last_rupture(one) >= begin and one["t_start"] <= end]
     return Shown(path, record, inside, (begin, end))
+
+
+def ruptured_before(one):
+    """Which blocks had ruptured in the only event of a window before that begins."""
+    event, begin = one.events[0], one.window[0]
+    times = zip(event["t_before"], event["t_rupture"])
+    return [before is not None or t is not None and t < begin for before, t in times]
 
 
 def refuse_other_lengths(shown):
@@ -218,8 +225,9 @@ def figure_of(shown, since_event):
         [[figure.add_subplot(grid[row, n]) for n in range(3)] for row in range(len(shown))]
     )
     last = figure.add_subplot(grid[:, 3])
-    for axes, (record, _, t_zero), window in zip(maps[:, 0], images, windows):
-        image = plotting.draw_pinned(axes, record, t_zero, window, line=single)
+    for axes, one, (record, _, t_zero), window in zip(maps[:, 0], shown, images, windows):
+        before = ruptured_before(one) if single else False
+        image = plotting.draw_pinned(axes, record, t_zero, window, line=single, ruptured=before)
     plotting.draw_pinned_scale(figure, image, maps[:, 0], location="top")
     draw_slip_speeds(figure, maps[:, 1], images)
     draw_tau_over_p(figure, maps[:, 2], images)
