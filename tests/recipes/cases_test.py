@@ -49,7 +49,7 @@ def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_
 
 
 LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
-SPANS = {"events": [{"t_start": t, "spanning": t > 1} for t in (1.0, 2.0, 3.0)]}
+SPANS = {"events": [{"t_start": t, "spanning": t > 1, "is_over": t < 3} for t in (1.0, 2.0, 3.0)]}
 
 
 @mark.parametrize(

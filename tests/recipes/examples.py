@@ -25,7 +25,8 @@ def event(spanning, drop, reaches):
 
 
 def load(*events):
-    return {"measured": {"events": [e | {"t_start": float(n)} for n, e in enumerate(events)]}}
+    found = [e | {"t_start": float(n), "is_over": True} for n, e in enumerate(events)]
+    return {"measured": {"events": found}}
 
 
 EARLY, LARGE = event(False, 1, False), event(True, 10, True)
