@@ -5,7 +5,7 @@ import numpy as np
 
 from claims.own_result import compared, write_own
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, save
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
 T_R = 2e-3  # [s]
 FIRST = 28  # block of the patch, at 70 mm

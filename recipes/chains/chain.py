@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from chains.point import HOLE, PROGRAMS
-from measure.conventions import SETS, words_of as options_of
+from measure.conventions import SETS
 from chains.store import RESULTS, write_own
 from rupture.errors import Failure, UsageError
 from rupture.programs import DRAWING, output_of
@@ -110,7 +110,7 @@ class Chain:
                 _, script, *words = line.split(None, 2)
                 line = " ".join([SCRIPT, self.in_project(script), *words])
             line = re.sub(r"(?<=-t)\{([\d.]+)\}(?=\.h5)", lambda at: time_in_name(at[1]), line)
-            ways = "; ".join(" ".join(options_of(way)) for way in ways_in(line).values())
+            ways = "; ".join(ways_in(line).values())
             found[name] = ALSO.sub(lambda _: f"--also {shlex.quote(ways)}", line)
         return found
 

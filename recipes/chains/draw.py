@@ -11,8 +11,8 @@ from claims.claim import write_claims
 from claims.judge import judge
 from chains.script import module_at
 from report.origin import Accounts, builds
-from report.plotting import made_by
 from rupture.errors import Failure
+from rupture.figures import made_by
 
 
 def main(recipe):

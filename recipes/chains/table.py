@@ -22,7 +22,7 @@ from chains.sweeps import result
 from measure.tables import write_table
 from measure.front_map import TYPES
 from chains.picture import draw
-from report.plotting import made_by
+from rupture.figures import made_by
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100

@@ -6,14 +6,14 @@ from dataclasses import astuple, dataclass, replace
 import numpy as np
 
 from claims import paper
-from claims.claim import PRIMARY
+from measure.conventions import PRIMARY
 from claims.judge import interval_of, shares_of, table
 from claims.own_result import OwnResult, write_own
 from claims.resampling import interval_by_runs
 from measure.tables import write_table
 from measure.event_numbers import numbers_of
 from measure.fronts import is_fast_only
-from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges on prepared interfaces
 CHOICES = (

@@ -14,7 +14,6 @@ DEPENDS = "depends"
 DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
 VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
-PRIMARY = "primary"  # the convention by which the shown case is measured
 HOLDS, DOES_NOT_HOLD = "holds", "does not hold"  # of a case
 STANDINGS = (REPRODUCED, HOLDS, DEPENDS, DOES_NOT_HOLD, DIFFERS, NOT_COMPARABLE)  # in counts
 SCHEMA = 2  # of claims.json; 1 was a list of claims with other names

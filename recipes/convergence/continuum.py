@@ -4,7 +4,7 @@ continuum by the rule in README.md."""
 from itertools import product
 
 from lattice import STEP, spacing
-from report.plotting import BLACK, BLUE, VERMILION
+from rupture.figures import BLACK, BLUE, VERMILION
 
 LATTICES = (57, 113, 225, 449)  # blocks along x
 SETTINGS = {  # variants of lattice.ini

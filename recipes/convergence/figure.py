@@ -7,7 +7,7 @@ import continuum
 from claims.own_result import OwnResult, write_own
 from measure.tables import rows_of, values, write_table
 from measure.front_map import IMPOSSIBLE, place_of, type_on_map
-from report.plotting import BLACK, DOUBLE, LINES, lettered, save
+from rupture.figures import BLACK, DOUBLE, LINES, lettered, save
 
 EVENTS = {"I": "fast-slow-fast", "II": "second-slow", "III": "fast-only"}
 STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]

@@ -10,8 +10,8 @@ n-th events of all loads are shuffled among the loads. This was found on the loa
 import numpy as np
 
 from claims.own_result import OwnResult
-from report import plotting
-from report.plotting import BLACK, DOUBLE, FAST, figure, save
+from rupture import figures as plotting
+from rupture.figures import BLACK, DOUBLE, FAST, figure, save
 
 SLOW = "fast-slow-fast in words"
 KINDS = {  # of events that span: colour, marker

@@ -11,9 +11,9 @@ from claims.own_result import OwnResult, write_own
 from measure.tables import values, write_events
 from measure.fronts import is_fast_only
 from measure.loads import events_of
-from report.panels import along_interface
-from report.plotting import DOUBLE, lettered, save
 from rupture.tools.command_line import plural
+from rupture.figures import DOUBLE, lettered, save
+from rupture.plotting import along_interface
 
 NAMES = {  # setting: title
     "load": "reference",

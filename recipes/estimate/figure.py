@@ -5,7 +5,7 @@ import numpy as np
 from claims import paper
 from claims.claim import Number
 from measure.tables import write_table
-from report.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
+from rupture.figures import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
 
 
 def net_slip(estimate):

@@ -5,7 +5,7 @@ import numpy as np
 
 from claims.paper import MU_D, MU_S
 from measure.tables import read_table
-from report.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
+from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
 SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
 

@@ -10,10 +10,10 @@ from claims import paper
 from measure.tables import write_columns, write_fronts
 from measure.event_numbers import at_transitions, numbers_of_events
 from measure.loads import events_of
-from report.panels import draw_ahead, draw_front_speeds, draw_pinned
-from report.panels import draw_pinned_scale, name_line, window_of
-from report.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
 from rupture.replacing import replacing
+from rupture.figures import BLACK, DOUBLE, EVENT, OF_PAPER, draw_ahead, draw_front_speeds
+from rupture.figures import lettered, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker

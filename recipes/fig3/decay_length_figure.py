@@ -7,7 +7,7 @@ from claims import paper
 from claims.spread import spread
 from measure.tables import write_table
 from measure.conventions import PRIMARY
-from report.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
+from rupture.figures import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
 
 SHOWN = 1  # seed
 

@@ -10,8 +10,8 @@ import slow_slip_figure
 from claims import paper
 from claims.claim import Number
 from measure.tables import values, write_table
-from report.panels import draw_pinned, draw_pinned_scale
-from report.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
+from rupture.figures import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
+from rupture.plotting import draw_pinned, draw_pinned_scale
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."

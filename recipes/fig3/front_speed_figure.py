@@ -4,7 +4,7 @@ import slow_fronts as slow
 from claims.spread import spread
 from front_speed import chosen, fit, fits_of, scaled_slip, slip
 from measure.tables import write_columns
-from report.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
+from rupture.figures import AS_IT_IS, CHANGED, SINGLE, lettered, save
 
 SHOWN = 1  # seed
 MODELS = {  # label and colour

@@ -4,8 +4,8 @@ import slow_fronts as slow
 from claims import paper
 from claims.spread import spread
 from measure.tables import numbers, write_columns
-from report.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 from slow_slip import MM, estimate_and_measured, fit, of_event, varied
+from rupture.figures import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 
 SHOWN = 1  # seed
 VARIED = {  # marker and label

@@ -8,8 +8,8 @@ from measure.conventions import PRIMARY
 from measure.front_map import load_map
 from measure.map_panels import write_map
 from measure.tables import write_table
-from report.panels import draw_pinned, draw_pinned_scale, window_of
-from report.plotting import DOUBLE, figure, letter, save
+from rupture.figures import DOUBLE, figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale
 
 EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 MAPS = ("map", "map_between", "map_boundary")

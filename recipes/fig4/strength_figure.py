@@ -1,8 +1,8 @@
 """Figure 4 C and its data."""
 
 from measure.tables import write_table
-from report.plotting import BLACK, EVENT, SINGLE, figure, letter, save
 from strength import blocks_of, lines_of, prepared_points
+from rupture.figures import BLACK, EVENT, SINGLE, figure, letter, save
 
 SHOWN = {"fast-slow-fast": ("I", EVENT["I"]), "second-slow": ("II", EVENT["II"])}
 MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}

@@ -6,8 +6,7 @@ import rupture
 
 from measure.tables import values, write_table
 from measure.fronts import middle_of
-from report.panels import window_of
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save, window_of
 
 RECORDS = "record.h5", "undriven-record.h5"  # as driven, and with the driving stopped
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}

@@ -6,8 +6,8 @@ from matplotlib.colors import LinearSegmentedColormap
 
 from claims.spread import spread
 from measure.tables import write_table
-from report.panels import draw_image
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
+from rupture.plotting import MAP, draw_image
 
 GREYS = LinearSegmentedColormap.from_list("greys", ["0.5", "1"])  # black lines can be seen on it
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured

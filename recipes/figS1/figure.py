@@ -1,8 +1,8 @@
 """Figure S1 and its data."""
 
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 from symmetry import Stress
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 
 
 def draw_stress(axes, stress):

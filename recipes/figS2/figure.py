@@ -5,8 +5,9 @@ import rupture
 
 from measure.tables import values, write_events, write_fronts
 from measure.fronts import is_fast_slow
-from report.panels import draw_ahead, draw_front_speeds, draw_image, window_of
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, draw_ahead, draw_front_speeds, lettered
+from rupture.figures import save, window_of
+from rupture.plotting import draw_image
 
 SPEEDS = {  # label, colour, marker
     "event": ("slow slip", AS_IT_IS, "o"),

@@ -5,8 +5,8 @@ import rupture
 from junctions import Junctions
 
 from measure.tables import write_table
-from report.panels import draw_pinned, draw_pinned_scale, window_of
-from report.plotting import DOUBLE, VERMILION, figure, letter, save
+from rupture.figures import DOUBLE, VERMILION, figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale
 
 TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")
 BINS = 30

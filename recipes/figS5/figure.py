@@ -6,7 +6,7 @@ from quadrature import SHAPES, mean_force, sigma_of_unit_width
 
 from claims.paper import MU_D, MU_S
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
+from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average

@@ -6,9 +6,9 @@ from measure.tables import write_events, write_fronts
 
 from measure.front_map import load_map
 from measure.map_panels import write_map
-from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
-from report.panels import draw_ahead, window_of
-from report.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
+from rupture.figures import AS_IT_IS, BLACK, CHANGED, DOUBLE, draw_ahead, draw_front_speeds
+from rupture.figures import figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
 RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),

@@ -7,7 +7,6 @@ SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of the programs
 STENCIL = 5  # blocks; the default of the programs
 FAST_OVER_SLOW = 10  # claim S2
 SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
-LOADING_ZONE = 0.02  # [m]; speeds within it do not count
 TYPES = ("arrested", "slow", "fast")  # on prepared interfaces
 
 

@@ -9,7 +9,7 @@ from scipy.interpolate import NearestNDInterpolator
 from measure import front_map
 from measure.front_map import TYPES, axes_of, below, types_of, types_of_seeds
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
+from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
 COLOURS = {"arrested": "#E9E3BC", "slow": "#8CC0E3", "fast": "#E07F4A"}

@@ -22,7 +22,7 @@ from reproduce.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 from report.origin import Accounts, builds, checksums, version_of
-from reproduce.recipes import read_readme, recipe_names
+from claims.recipes import read_readme, recipe_names
 
 CITATION = Path(__file__).resolve().parents[2] / "CITATION.cff"
 CRATE = "ro-crate-metadata.json"

@@ -13,7 +13,7 @@ from pathlib import Path
 from rupture.errors import Failure
 from rupture.programs import output_of
 from rupture.tools.command_line import plural
-from reproduce.recipes import natural
+from claims.recipes import natural
 
 
 def steps(jobs):

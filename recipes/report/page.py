@@ -20,7 +20,7 @@ from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
 from report import origin
-from reproduce.recipes import label, natural, paper_of, read_readme, recipe_names
+from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from reproduce.written import take
 from report.symbols import typeset

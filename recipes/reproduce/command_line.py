@@ -9,7 +9,7 @@ from pathlib import Path
 from rupture.errors import UsageError
 from rupture.tools import command_line
 from rupture.tools.command_line import DEFAULT, whole_number
-from reproduce.recipes import read_readme, recipe_names
+from claims.recipes import read_readme, recipe_names
 from reproduce.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 from chains.ini import suggestion

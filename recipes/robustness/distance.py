@@ -7,7 +7,7 @@ from measure.tables import rows_of, values
 from measure.bands import bands_of, width
 from measure.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
 from measure.map_panels import draw_key, draw_regions
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 LENGTH = "junctions.d_R"
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}

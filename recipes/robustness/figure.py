@@ -9,7 +9,7 @@ from measure.tables import rows_of, values, write_events
 from measure.fronts import is_fast_only
 from measure.front_map import read_map, types_of, write_types
 from measure.map_panels import draw_regions, name_regions
-from report.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
+from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, save
 
 
 def draw(events, stem):

@@ -4,7 +4,7 @@ from measure.tables import rows_of
 from measure import front_map
 from measure.front_map import types_of
 from measure.map_panels import draw_key, draw_regions
-from report.plotting import DOUBLE, lettered, save
+from rupture.figures import DOUBLE, lettered, save
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",

@@ -10,7 +10,7 @@ from scipy.stats import spearmanr
 
 from claims.own_result import compared, write_own
 from measure.tables import numbers, rows_of, write_columns
-from report.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
+from rupture.figures import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 
 # Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
 KINDS = {"fast": "0.3", "slow": "0.1"}

@@ -1,7 +1,11 @@
-"""The recipes and their READMEs."""
+"""Which recipes there are, and their READMEs."""
 
 import re
 from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+
+RECIPES = Path(__file__).resolve().parents[1]
 
 
 def natural(name):
@@ -12,7 +16,7 @@ def natural(name):
 def recipe_names(root):
     """fig1, ..., figS1, ..., then what belongs to no figure; then PAPER/fig1, ... of others."""
     recipes = root / "recipes"
-    names = (str(path.parent.relative_to(recipes)) for path in recipes.rglob("figure.ini"))
+    names = (str(path.parent.relative_to(recipes)) for path in recipes.rglob("commands.py"))
     return sorted(names, key=lambda name: (paper_of(name), not label(name), natural(name)))
 
 
@@ -27,10 +31,16 @@ def label(name):
     return f"Figure {figure[1]}" if figure else ""
 
 
+def function_of(recipe, name):
+    """`deviation` in its commands.py, or `lengths.median` in another module of it."""
+    module, _, function = name.rpartition(".")
+    return getattr(import_module(f"{recipe.replace('/', '.')}.{module or 'commands'}"), function)
+
+
 @dataclass(frozen=True)
 class Readme:
     title: str
-    commands: str  # the chain, as a reader would type it
+    commands: str  # as a reader would type them
     caption: str  # Markdown
 
 

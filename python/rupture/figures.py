@@ -1,10 +1,14 @@
-"""The look of all figures: that of the Python package, at the sizes of a printed page."""
+"""The look of the recipes' figures: that of the package, at the sizes of a printed page; and panels
+that several figures draw in the same way."""
 
+import numpy as np
+
+from rupture import plotting
 from rupture.plotting import BLACK, BLUE, GREEN, LINES, ORANGE, PURPLE, SKY, VERMILION
-from rupture.plotting import MAP  # noqa: F401  (for the recipes)
 from rupture.plotting import pyplot_without_window
 from rupture.plotting import save as write
 from rupture.replacing import replacing
+from rupture.reports import LOADING_ZONE, values
 
 plt = pyplot_without_window()
 plt.rcParams["axes.prop_cycle"] = plt.cycler(color=LINES)
@@ -12,8 +16,9 @@ plt.rcParams["axes.prop_cycle"] = plt.cycler(color=LINES)
 MM = 1 / 25.4  # [inch]
 SINGLE = 89 * MM  # width of one column [inch]
 DOUBLE = 183 * MM  # width of the page [inch]
+MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
-# The command that draws pictures now, and the files of its points, for their metadata.
+# The command that draws pictures now, and the files behind them, for their metadata.
 made_by = ["./reproduce.sh report"]
 
 # The same thing has the same colour in all figures.
@@ -48,3 +53,29 @@ def save(fig, stem):
         with replacing(f"{stem}{ending}") as temporary:
             write(fig, temporary, "\n".join(made_by))
     plt.close(fig)
+
+
+# --- panels ------------------------------------------------------------------------------------
+
+
+def window_of(*fronts):
+    """The first rupture of these fronts [s], and the times to show [ms after it]."""
+    ruptures = [values(front["t_rupture"]) for front in fronts]
+    t_zero, last = np.nanmin(ruptures), np.nanmax(ruptures)
+    return t_zero, (-MARGIN, (last - t_zero) * 1e3 + MARGIN)
+
+
+def draw_ahead(axes, front, t_zero, **look):
+    """Blocks beyond the loading zone that ruptured ahead of the front; times in ms after t_zero."""
+    x, ruptured, front_at = (values(front[name]) for name in ("x", "t_rupture", "t_front"))
+    ahead = (ruptured < front_at) & (x > LOADING_ZONE)
+    times = (ruptured[ahead] - t_zero) * 1e3
+    axes.plot(x[ahead] / front["L"], times, ".", markersize=2, **look)
+
+
+def draw_front_speeds(axes, fronts, looks):
+    """As in the package. Grey: the loading zone, in which speeds do not count."""
+    plotting.draw_front_speeds(axes, fronts, looks)
+    L = next(iter(fronts.values()))["L"]
+    axes.plot([], [], "o", color=plotting.ABOVE, label="above $c_s$")
+    axes.axvspan(0, LOADING_ZONE / L, color="0.9", linewidth=0, label="loading zone")
