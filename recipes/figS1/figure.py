@@ -1,7 +1,7 @@
 """Figure S1 and its data."""
 
 from measure.tables import write_table
-from symmetry import Stress
+from figS1.commands import states
 from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 
 
@@ -23,9 +23,8 @@ def draw(unloaded, before, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    (point,) = chains["forces"]
-    unloaded, before = Stress(point["unloaded"]), Stress(point["before"])
+def make(results):
+    unloaded, before = states().unloaded, states().before
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]
     write_table(
