@@ -125,7 +125,7 @@ def events_of(seed, law="reference"):
 
 @cache
 def runs(law="reference"):
-    """[(seed, {way: events} or a Refused)]"""
+    """[(seed, {way: events} or a Failure)]"""
     return [
         (seed, found)
         for (seed, _), found in sampled(events_of, [(seed, law) for seed in SEEDS[law]], "runs")

@@ -3,7 +3,7 @@
 docs/claims.md has the rules.
 """
 
-from math import isnan
+from math import isfinite
 
 import numpy as np
 from scipy.stats import beta
@@ -35,7 +35,7 @@ def as_written(value):
     if isinstance(value, (bool, np.bool_)):
         return WORDS[bool(value)]
     value = value.item() if isinstance(value, np.generic) else value
-    return None if isinstance(value, float) and isnan(value) else value
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def cases_of(measured, sample, way=PRIMARY):

@@ -3,12 +3,13 @@
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from rupture.errors import Failure
 from rupture.once import each, known
 
 
 class Unit(NamedTuple):
-    """One sample. Units of a run share a history; without a run it is one of its own. `sample` is
-    the Refused of one that failed, which counts against the claim."""
+    """One sample. Units of a run share a history; without a run it is one of its own. `sample` is a
+    Failure if it failed, which counts against the claim."""
 
     run: Any
     sample: Any
@@ -30,7 +31,7 @@ class Sampling:
 
 
 def sampled(function, points, title=""):
-    """[(point, what was found there, or a Refused)] of all points, or of those that are there."""
-    found = (each if Sampling.is_whole else known)(function, points, title)
-    results = {**dict(found), **dict(found.refused)}
+    """[(point, what was found there, or a Failure)] of all points, or of those that are there."""
+    found = each(function, points, title) if Sampling.is_whole else known(function, points)
+    results = dict(found) | {point: Failure(sentence) for point, sentence in found.refused}
     return [(point, results[point]) for point in points if point in results]

@@ -1,8 +1,8 @@
 """Figure 1 D-G, drawn from its tables."""
 
-import curves
 import numpy as np
 
+from fig1 import curves
 from claims.paper import MU_D, MU_S
 from measure.tables import read_table
 from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
@@ -69,6 +69,6 @@ def draw(results):
     save(fig, results / "fig1")
 
 
-def make(chains, results):
-    curves.make(chains, results)
+def make(results):
+    curves.make(results)
     draw(results)
