@@ -120,8 +120,8 @@ def thresholds_compared(fronts, grid, slow_below):
 
 
 def write_map(fronts, grid, results, *, panel, slow_below):
-    """Everything that the recipe writes about its map (load_map()). Slow is below c_s over one of
-    `slow_below`, of which the first is the default."""
+    """Everything that a figure writes about its map, and the regular grid of it. Slow is below c_s
+    over one of `slow_below`, of which the first is the default."""
     thresholds = list(thresholds_compared(fronts, grid, slow_below))
     draw_map(fronts, grid, slow_below, panel, results / f"{results.name}{panel}")
     front_map.write_types(results / "front-types.csv", fronts)

@@ -2,10 +2,10 @@
 paper's, and of all events of independent runs."""
 
 import numpy as np
+from rupture.reports import values
 
 from claims import paper
 from claims.spread import spread
-from measure.tables import values
 from measure.fronts import is_fast_only
 
 
