@@ -123,6 +123,12 @@ def events_of(seed, law="reference"):
     return events_in(load(seed, law))
 
 
+def all_runs():
+    """{seed: events} of the reference, all of them."""
+    found = each(events_of, [(seed,) for seed in SEEDS["reference"]], "runs")
+    return {seed: events for (seed,), events in found}
+
+
 @cache
 def runs(law="reference"):
     """[(seed, {way: events} or a Failure)]"""
@@ -256,6 +262,11 @@ def slow_events(found):
 @cache
 def continued(seed, number):
     return continued_from(load(seed), events_of(seed)[PRIMARY][number])
+
+
+def all_continued():
+    """Of all runs."""
+    return [of for _, of in each(continued, slow_events(all_runs().items()), "events")]
 
 
 @cache

@@ -43,9 +43,10 @@ def cases_of(measured, sample, way=PRIMARY):
     to compare. A sample that failed has no case."""
     if isinstance(sample, Failure):
         return []
-    found = measured(sample, way)
+    if (found := measured(sample, way)) is None:
+        return None
     cases = [found] if isinstance(found, dict) else found
-    return cases and [{name: as_written(of) for name, of in case.items()} for case in cases]
+    return [{name: as_written(of) for name, of in case.items()} for case in cases]
 
 
 def holds(row, cases):

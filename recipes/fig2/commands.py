@@ -4,12 +4,12 @@ from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
-from rupture.once import each, keep, run
+from rupture.once import keep, run
 from rupture.reports import LOADING_ZONE, value, values
 
 import events
 from claims.samples import Samples, sampled
-from events import FINE, SEEDS, events_of, shipped, shown_event, shown_events
+from events import FINE, shipped, shown_event, shown_events
 from fig2.most_like import candidates
 from measure.conventions import PRIMARY
 from measure.fronts import front_spans
@@ -23,16 +23,9 @@ def film():
     return run(movie, keep=["movie.gif"])["movie.gif"]
 
 
-@cache
-def likeness():
-    """Of all events of all runs, in order."""
-    found = each(events_of, [(seed,) for seed in SEEDS["reference"]], "runs")
-    return candidates({seed: of[PRIMARY] for (seed,), of in found})
-
-
 def most_like():
     """The event most like the paper's, from 0.5 ms before its first rupture; and all candidates."""
-    compared = likeness()
+    compared = candidates({seed: of[PRIMARY] for seed, of in events.all_runs().items()})
     seed, event, _ = compared[0]
     start = events.before(events.load(seed), event)
     record = run(f"restart {start} -o event.h5 --for 0.01 {FINE}")["record.h5"]
