@@ -66,11 +66,12 @@ def shown_event(name):
     """An event as it is, from its checkpoint on."""
     start = shipped(name)
     record = run(f"restart {start} -o event.h5 --for 0.01 {FINE}", keep=["record.h5"])["record.h5"]
+    front = run(f"analyze front {record} --event 0")
     return SimpleNamespace(
-        name=name,
         start=start,
         record=record,
-        front=run(f"analyze front {record} --event 0"),
+        front=front,
+        fronts={PRIMARY: front},
         phi=run(f"analyze phi {start}"),
         strength=run(f"analyze strength {start}"),
     )

@@ -3,6 +3,7 @@
 from functools import cache
 
 import events
+from fig5.commands import seeds
 from measure.conventions import PRIMARY
 from measure.fronts import is_fast_only
 from rupture.errors import Failure
@@ -41,3 +42,4 @@ def compute():
     events.units_of_events()
     events.units_of_branches()
     events.all_simplified()
+    seeds()

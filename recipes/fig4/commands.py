@@ -33,11 +33,14 @@ def wider(name):
     of = shown_event(EVENTS[name])
     found = widened(of.start, 0.01)
     keep(found.start, found.record)
-    of.wider_start, of.wider_record, of.block = found.start, found.record, None
-    of.fronts = {PRIMARY: of.front}
-    of.wider = {PRIMARY: run(f"analyze front {found.record} --event 0")}
-    of.phi_wider = run(f"analyze phi {found.start}")
-    return of
+    return SimpleNamespace(
+        **vars(of),
+        block=None,
+        wider_start=found.start,
+        wider_record=found.record,
+        wider={PRIMARY: run(f"analyze front {found.record} --event 0")},
+        phi_wider=run(f"analyze phi {found.start}"),
+    )
 
 
 def branches():
