@@ -173,9 +173,9 @@ class Interfaces:
 
 
 @cache
-def edges(sigma_bar, options=""):
+def edges(sigma_bar, options="", seed=1):
     """{way: {"slow": lowest tau_bar_0 of a front that is not arrested, "fast": of a fast one}}"""
-    interfaces = Interfaces(f"--sigma-bar {sigma_bar:.12g} --set numerics.seed=1 {options}")
+    interfaces = Interfaces(f"--sigma-bar {sigma_bar:.12g} --set numerics.seed={seed} {options}")
     return {way: {kind: interfaces.edge(kind, way) for kind in TYPES[1:]} for way in CONVENTIONS}
 
 

@@ -3,9 +3,8 @@
 
 from rupture.once import run
 
-from measure.fronts import SLOW_BELOW
+from measure.fronts import PRIMARY, SLOW_BELOW
 
-PRIMARY = "primary"
 C_S, C_S_OF_LATTICE = 968, 993  # [m/s]
 
 CONVENTIONS = {  # name: options

@@ -3,6 +3,7 @@
 `front` is what `analyze front --json` prints, or one entry of `analyze events --json`.
 """
 
+PRIMARY = "primary"  # the way to measure if no other is named
 SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of the programs
 STENCIL = 5  # blocks; the default of the programs
 FAST_OVER_SLOW = 10  # claim S2
