@@ -1,9 +1,8 @@
 """Maps of front types for other lengths and nucleation energies."""
 
-from measure.tables import rows_of
-from measure import front_map
-from measure.front_map import types_of
+from measure.front_map import types_of, write_variants
 from measure.map_panels import draw_key, draw_regions
+from robustness.commands import geometry
 from rupture.figures import DOUBLE, lettered, save
 
 TITLES = {
@@ -24,8 +23,6 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    points = [*chains["geometry"], *chains["geometry_seeds"]]
-    maps = front_map.read_variants(rows_of(points), TITLES)
-    draw(maps, results / "geometry")
-    front_map.write_variants(results / "geometry.csv", maps)
+def make(results):
+    draw(geometry(), results / "geometry")
+    write_variants(results / "geometry.csv", geometry())
