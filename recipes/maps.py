@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from rupture.errors import Failure
-from rupture.once import each, run
+from rupture.once import each, keep, run
 
 from claims.samples import Samples, Unit
 from measure import front_map
@@ -33,8 +33,9 @@ def record_of(tau_bar, sigma_bar, options, recorded):
     """Of a front that is triggered on an interface; the types of fronts are told from it."""
     prestress = f"--tau-bar {tau_bar:.12g} --sigma-bar {sigma_bar:.12g}"
     start = run(f"prepare {prestress} {options} -o start.h5")["start.h5"]
-    line = f"restart {start} -o end.h5 --until-quiet {recorded}"
-    return run(line, keep=["record.h5"])["record.h5"]
+    record = run(f"restart {start} -o end.h5 --until-quiet {recorded}")["record.h5"]
+    keep(record)
+    return record
 
 
 def front_at(tau_bar, sigma_bar, seed, options):
