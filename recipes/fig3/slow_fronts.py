@@ -50,7 +50,7 @@ def front_of(variant, parameters):
     windows = {
         name: run(f"analyze slow-slip {record} {options}") for name, options in WINDOWS.items()
     }
-    of_front = {"type": windows[PRIMARY].type, "point": record.own, "windows": windows}
+    of_front = {"type": windows[PRIMARY].type, "point": record.work.own, "windows": windows}
     return {"variant": variant, **parameters, **of_front}
 
 

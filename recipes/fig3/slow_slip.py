@@ -69,7 +69,7 @@ def longer(t_R):
     changed = f"--set driving.V=0 {slip_times(t_R)} --for 5e-3"
     record = run(f"restart {of.start} -o longer.h5 {changed} {FINE}")["record.h5"]
     found = run(f"analyze slow-slip {record} --x-from 0.028 --x-to 0.07")
-    row = {"type": of.fronts[PRIMARY].type, "point": record.own, "windows": {PRIMARY: found}}
+    row = {"type": of.fronts[PRIMARY].type, "point": record.work.own, "windows": {PRIMARY: found}}
     return slow.in_window(row) | {"front speed [m/s]": (found.slow or {}).get("speed")}
 
 
