@@ -22,77 +22,73 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-from rupture.commands.identity import Command, Files, Made, Measurement, Refused, Report
+from rupture.commands.identity import Command, Made, Measurement, Refused
+from rupture.commands.machine import programs_at_a_time
 from rupture.commands.making import Making, Scope, Unknown
 from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
-from rupture.commands.store import Store, complain
+from rupture.commands.progress import Progress
+from rupture.commands.script import script_of
+from rupture.commands.store import Report, Store, complain
 
-__all__ = [
-    "Made",
-    "Refused",
-    "Report",
-    "Unknown",
-    "asked",
-    "each",
-    "known",
-    "measured",
-    "run",
-    "use",
-]
+__all__ = ["Made", "Refused", "Report", "Unknown"]
+__all__ += ["asked", "each", "known", "measured", "run", "script_of", "use"]
 
-making: Making | None = None
+current: list[Making] = []  # one, or none yet
 
 
-def use(store=None, cores=None, dry_run=None):
-    """Says where results are, how many programs may run at a time, and whether commands are only
-    printed. Without it: $RUPTURE_STORE or ./store, all cores, and as the words of the script say.
-    """
-    global making
-    if making:
-        finish()
-    store = store or os.environ.get("RUPTURE_STORE") or os.environ.get("STORE") or "store"
-    cores = cores or int(os.environ.get("CORES", 0)) or len(os.sched_getaffinity(0))
+def use(store=None, cores=None, dry_run=None, cap=None):
+    """Says where results are, how many programs run at a time, whether commands are only printed,
+    and how many bytes of files may be there that are not kept."""
+    finish()
     dry_run = "--dry-run" in sys.argv if dry_run is None else dry_run
-    executor = Local()
-    making = Making(Store(store), executor, Pool(1 if dry_run else cores), dry_run)
+    cores = 1 if dry_run else cores or programs_at_a_time()
+    place = Store(store or os.environ.get("RUPTURE_STORE", "store"))
+    current.append(Making(place, Local(), Pool(cores), dry_run, cap))
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) != signal.SIG_IGN:  # nohup
+        if signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
             signal.signal(number, end)
-    atexit.register(finish)
-    return making
+    return current[0]
 
 
+@atexit.register
 def finish():
-    shutil.rmtree(making.store.now, ignore_errors=True)
+    """Files that are not kept go."""
+    while current:
+        making = current.pop()
+        making.executor.stop()
+        shutil.rmtree(making.store.now, ignore_errors=True)
+        making.store.lock.close()
 
 
 def end(number, _):
-    making.pool.stopped = True
-    making.executor.stop()
-    complain("interrupted: what is done is kept; the same call goes on from there")
-    raise SystemExit(128 + number)
+    for making in current:
+        making.pool.stopped = True
+        making.executor.stop()
+    complain("interrupted: what is done is kept, and the same call goes on from there")
+    sys.exit(128 + number)
 
 
-def folder_of_caller():
-    """The folder of the recipe or script."""
-    name = sys._getframe(2).f_globals.get("__file__")
-    return Path(name).resolve().parent if name else Path.cwd()
+def made_by(kind, *words):
+    """A command or measurement of the recipe or script that asks for it."""
+    making = current[0] if current else use()
+    file = sys._getframe(2).f_globals.get("__file__")
+    return kind(*words, making, Path(file).resolve().parent if file else Path.cwd())
 
 
 def run(line, keep=()):
     """The report of `analyze`; the files of another program, not made yet. `keep`: those that stay
     when the point is done, because much work is in them or a picture needs them."""
-    now = making or use()
-    command = now.name(Command(line, folder_of_caller(), now.store), keep)
-    return now.report(command) if command.is_analysis else Files(command, now.open)
+    command = made_by(Command, line)
+    command = command.making.name(command, keep)
+    return command.making.report(command) if command.has_report else command
 
 
 def measured(function, *files):
     """What a Python function returns for these files, numbers and texts. It is known by the code
     of its module and of what that imports of ours, without comments."""
-    now = making or use()
-    return now.report(now.name(Measurement(function, files, folder_of_caller(), now.store)))
+    work = made_by(Measurement, function, files)
+    return work.making.report(work.making.name(work))
 
 
 class Points(list):
@@ -104,29 +100,31 @@ class Points(list):
 def each(function, points, title="", only_known=False):
     """function(*point) of all points, side by side. What a point has named goes when it is done,
     but for what is kept. `only_known`: of what is in the store already."""
-    now = making or use()
+    making = current[0] if current else use()
     points = [point if isinstance(point, tuple) else (point,) for point in points]
-    around = Scope(now.scope, only_known)
+    around = Scope(making.scope, only_known)
     scopes = [Scope(around) for _ in points]
-    since, done = time.monotonic(), iter(range(1, len(points) + 1))
+    progress = Progress(title, points, making.store)
 
     def one(number):
+        since = time.monotonic()
         try:
-            return now.within(scopes[number], function, *points[number])
+            return making.within(scopes[number], function, points[number])
         except (Refused, Unknown) as why:
             return why
         except BaseException:
             around.is_cancelled = True
             raise
         finally:
-            n = next(done)
-            if title and scopes[number].has_run:
-                complain(f"[{time.monotonic() - since:4.0f} s] {title}: {n} of {len(points)}")
+            progress.add(number, time.monotonic() - since, scopes[number].has_run)
 
-    results = list(zip(points, now.pool.map(one, range(len(points)))))
-    now.scope.asked += [command for scope in scopes for command in scope.asked]
-    worked = Points(pair for pair in results if not isinstance(pair[1], (Refused, Unknown)))
-    worked.refused = [(point, str(why)) for point, why in results if isinstance(why, Refused)]
+    numbers = range(len(points))
+    results = list(map(one, numbers) if only_known else making.pool.map(one, numbers))
+    progress.save()
+    making.scope.asked += [work for scope in scopes for work in scope.asked]
+    pairs = list(zip(points, results))
+    worked = Points(pair for pair in pairs if not isinstance(pair[1], (Refused, Unknown)))
+    worked.refused = [(point, str(why)) for point, why in pairs if isinstance(why, Refused)]
     return worked
 
 
@@ -137,8 +135,8 @@ def known(function, points):
 
 @contextmanager
 def asked():
-    """Yields a list that has in the end what was asked for within, in order: commands."""
-    scope, log = (making or use()).scope, []
-    begin = len(scope.asked)
+    """Yields a list, in which is in the end what was asked for within: commands, in order."""
+    scope = (current[0] if current else use()).scope
+    begin, log = len(scope.asked), []
     yield log
     log += dict.fromkeys(scope.asked[begin:])

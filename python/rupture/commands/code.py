@@ -14,7 +14,8 @@ from functools import cache
 from pathlib import Path
 
 from rupture.errors import UsageError
-from rupture.programs import DRAWING, PACKAGE, command_of
+from rupture import programs
+from rupture.programs import DRAWING, PACKAGE
 
 RUNS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints and records
 OURS = ("analyze", *RUNS, *DRAWING)
@@ -27,14 +28,14 @@ def digest(*parts):
     """SHA-256 of texts and bytes, in 16 digits."""
     found = hashlib.sha256()
     for part in parts:
-        content = part if isinstance(part, bytes) else str(part).encode()
+        content = part if isinstance(part, bytes) else part.encode()
         found.update(b"%d\0" % len(content) + content)
     return found.hexdigest()[:16]
 
 
 def stamp_of(path):
     """It differs if a file was changed or exchanged, whatever the clock said."""
-    stat = os.stat(path)
+    stat = os.lstat(path)
     return stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns
 
 
@@ -63,17 +64,11 @@ def sections(content):
 
 @cache
 def path_of(program):
-    """Where a program is: one of ours, or any other on the PATH."""
-    if program not in OURS:
-        if found := shutil.which(program):
-            return found
-        raise UsageError(f"there is no program {program}: neither in rupture nor on the PATH")
-    path, *more = command_of(program)
-    if not more:
-        return path
-    folder = Path(str(shutil.which(path))).resolve().parent  # `rupture`, which starts it
-    places = (folder / program, folder.parent / "libexec/rupture" / program)
-    return str(next(place for place in places if place.exists()))
+    """Of a program of ours, or of any other on the PATH."""
+    found = programs.path_of(program) if program in OURS else shutil.which(program)
+    if not found:
+        raise UsageError(f"there is no program {program}, neither in rupture nor on the PATH")
+    return os.path.realpath(found)
 
 
 def digest_of_program(program, store):
@@ -85,7 +80,7 @@ def digest_of_program(program, store):
 
 
 def digest_of_function(function, store):
-    """Of its module and what this imports of ours; it may run programs."""
+    """Of its module and what this imports of ours, and of programs, which it may run."""
     module = Path(sys.modules[function.__module__].__file__).resolve()
     programs = (digest_of_program(name, store) for name in ("analyze", *RUNS))
     return digest(digest_of_modules(module, store), function.__qualname__, *programs)
@@ -105,54 +100,46 @@ def without_docstrings(tree):
 
 
 def imported(tree):
-    """(level, name) of modules, of packages around them, and of what may be a module in one."""
+    """(level, name) of what may be modules: a.b.c of `from a.b import c`."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
-            names = [(0, alias.name) for alias in node.names]
+            yield from ((0, one.name) for one in node.names)
         elif isinstance(node, ast.ImportFrom):
-            names = [
-                (node.level, f"{node.module or ''}.{one.name}".strip(".")) for one in node.names
-            ]
-        else:
-            continue
-        for level, name in names:
-            parts = name.split(".")
-            yield from ((level, ".".join(parts[:n])) for n in range(1, len(parts) + 1))
+            names = (f"{node.module or ''}.{one.name}" for one in node.names)
+            yield from ((node.level, name.strip(".")) for name in names)
 
 
 def read_module(path, store):
-    """[digest of its code, what it imports]; the store remembers both."""
-    source = path.read_bytes()
-    own = digest("code", source)
+    """A digest of its code, and what it imports. The store has both for each text."""
+    own = digest("code", source := path.read_bytes())
     if not (known := store.result(own)):
         tree = ast.parse(source)
-        names = sorted(set(imported(tree)))
-        known = {"code": digest(ast.dump(without_docstrings(tree))), "imports": names}
+        imports = sorted(set(imported(tree)))
+        known = {"code": digest(ast.dump(without_docstrings(tree))), "imports": imports}
         store.save(own, known)
     return known["code"], known["imports"]
 
 
 @cache
-def module_at(level, name, folder):
-    """The file of a module of ours; None for others."""
-    folders = [folder, *(Path(p) for p in sys.path if not p.startswith(OTHERS))]
-    if name.split(".")[0] == "rupture":
-        folders.append(PACKAGE.parent)
-    for place in [folder.joinpath(*[".."] * (level - 1))] if level else folders:
-        found = place.joinpath(*name.split("."))
-        for path in (found.with_suffix(".py"), found / "__init__.py"):
-            if path.is_file():
-                return path.resolve()
-    return None
+def modules_at(level, name, folder):
+    """The files of a module of ours, and of the packages around it; none of others."""
+    places = [folder.joinpath(*[".."] * (level - 1))]
+    if not level:
+        places += [Path(place) for place in sys.path if not place.startswith(OTHERS)]
+        places += [PACKAGE.parent] * name.startswith("rupture")
+    parts, found = name.split("."), []
+    for n in range(1, len(parts) + 1):
+        paths = (place.joinpath(*parts[:n]) for place in places)
+        files = (file for path in paths for file in (path.with_suffix(".py"), path / "__init__.py"))
+        found += [file.resolve() for file in files if file.is_file()][:1]
+    return found
 
 
 def digest_of_modules(path, store):
     """Of this one and all of ours that it imports, directly or not."""
-    waiting, parts = [path], {}
+    waiting, codes = [path], {}
     while waiting:
-        path = waiting.pop()
-        if path not in parts:
-            parts[path], names = read_module(path, store)
-            found = (module_at(level, name, path.parent) for level, name in names)
-            waiting.extend(one for one in found if one)
-    return digest(*sorted(parts.values()))
+        if (path := waiting.pop()) not in codes:
+            codes[path], imports = read_module(path, store)
+            waiting += [one for level, n in imports for one in modules_at(level, n, path.parent)]
+    return digest(*sorted(codes.values()))

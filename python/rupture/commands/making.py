@@ -1,19 +1,18 @@
-"""Does commands once: who owns which file, who reads it, and what is made again."""
+"""Does commands once: who owns their files, who reads them, and which are made again."""
 
 import os
-import re
 import shutil
 import threading
 import time
 from collections import Counter
 from concurrent.futures import Future
+from contextlib import contextmanager
 from pathlib import Path
 
-import json
-
-from rupture.commands.code import RUNS, path_of
-from rupture.commands.identity import Refused, Report
-from rupture.errors import Failure, UsageError
+from rupture.commands.identity import Made, Refused
+from rupture.commands.pool import Stopped
+from rupture.commands.store import complain, writing
+from rupture.errors import Failure
 
 
 class Unknown(SystemExit):
@@ -29,7 +28,7 @@ class Scope:
         self.only_known = only_known or bool(parent and parent.only_known)
         self.is_cancelled = self.has_run = False
 
-    def around(self):
+    def and_around(self):
         scope = self
         while scope:
             yield scope
@@ -37,245 +36,199 @@ class Scope:
 
 
 class Making:
-    def __init__(self, store, executor, pool, dry_run=False):
+    """`made`: folders of commands with their files, those used last at the end; `owners`, `readers`:
+    how many points have named a command, and who reads its files now. All by ids of commands."""
+
+    def __init__(self, store, executor, pool, dry_run, cap):
         self.store, self.executor, self.pool, self.dry_run = store, executor, pool, dry_run
-        self.guard = threading.RLock()
-        self.tasks = {}  # by id: commands that run
-        self.commands = {}  # by id
-        self.made = {}  # by id: folders with files, those read last at the end
-        self.sizes = {}  # of these [bytes], but for what is kept
-        self.cap = shutil.disk_usage(store.folder).free // 2
-        self.owners, self.readers = Counter(), Counter()  # by id: open scopes; who reads now
+        self.cap = cap or shutil.disk_usage(store.folder).free // 2  # [bytes], for files in `made`
+        self.guard, self.here = threading.RLock(), threading.local()
+        self.works, self.tasks, self.made, self.sizes = {}, {}, {}, {}
+        self.owners, self.readers = Counter(), Counter()
         self.outermost = Scope()
-        self.here = threading.local()
 
     @property
     def scope(self):
         return getattr(self.here, "scope", self.outermost)
 
-    # --- names
-
-    def name(self, command, keep=()):
-        """The one command that this is; it belongs to the outermost open point that named it."""
+    def name(self, work, keep=()):
+        """The one of its kind; it belongs to the outermost open point that named it."""
         for name in keep:
-            command.check_output(name)
+            work[name]  # raises NoSuchName
         with self.guard:
-            command = self.commands.setdefault(command.own, command)
-            if not command.kept.issuperset(keep):
-                command.kept.update(keep)
-                self.keep(command)
-            self.own(command)
-            self.scope.asked.append(command)
-        return command
+            work = self.works.setdefault(work.own, work)
+            work.kept |= {*keep}
+            if keep and (folder := self.made.get(work.own)) and not self.dry_run:
+                self.keep(work, folder, self.store.result(work.own) or {})
+            self.own(work)
+        return work
 
-    def own(self, command):
-        if not any(command.own in scope.named for scope in self.scope.around()):
-            self.scope.named.add(command.own)
-            self.owners[command.own] += 1
-
-    def open(self, command, name):
-        """The path of a file for what is no command; the file stays as long as the point."""
-        with self.guard:
-            self.own(command)
-            self.readers[command.own] += 1
-            self.scope.read.append(command.own)
-        path = self.file(command, name)
-        if self.dry_run and not os.path.exists(path):
-            raise Unknown(f"{command.line} has not been run")
-        return path
+    def own(self, work):
+        if not any(work.own in scope.named for scope in self.scope.and_around()):
+            self.scope.named.add(work.own)
+            self.owners[work.own] += 1
 
     # --- what is there
 
-    def report(self, command):
-        return self.answer(self.store.result(command.own) or self.do(command))
+    def report(self, work):
+        self.scope.asked.append(work)
+        return self.answer(self.store.result(work.own) or self.do(work))["report"]
+
+    def open(self, made):
+        """The path of a file for others than commands. It stays until the point ends."""
+        with self.guard:
+            self.own(made.work)
+            self.readers[made.work.own] += 1
+            self.scope.read.append(made.work.own)
+            self.scope.asked.append(made.work)
+        path = self.path(made)
+        if self.dry_run and not os.path.exists(path):
+            raise Unknown
+        return path
+
+    def path(self, made):
+        """Of a file, which is made again if it is gone."""
+        if not (path := self.found(made)):
+            self.answer(self.do(made.work))
+            path = self.found(made)
+        if not path:
+            raise Failure(f"'{made.work.line}' has not written {made.name}")
+        return path
+
+    def found(self, made):
+        own = made.work.own
+        with self.guard:
+            if folder := self.made.pop(own, None):
+                self.made[own] = folder
+                if self.dry_run or (folder / made.name).is_file():
+                    return folder / made.name
+        result = self.store.result(own)
+        return result and self.store.kept(own, made.name, self.answer(result))
 
     def answer(self, result):
         if result["status"] == "refused":
             raise Refused(result["sentence"])
-        return result["report"]
-
-    def file(self, command, name):
-        """The path of a made file, which is made again if it is gone."""
-        if not (path := self.found(command, name)):
-            self.answer(self.do(command))
-            path = self.found(command, name)
-        if not path:
-            raise Failure(f"'{command.line}' has not written {name}")
-        return path
-
-    def found(self, command, name):
-        with self.guard:
-            if folder := self.made.pop(command.own, None):
-                self.made[command.own] = folder
-                if self.dry_run or (folder / name).is_file():
-                    return folder / name
-        if result := self.store.result(command.own):
-            self.answer(result)
-            return self.store.kept(command.own, name, result)
-        return None
+        return result
 
     # --- doing it
 
-    def do(self, command):
-        """Its result. Two points may want the same; then one of them waits."""
-        with self.guard:
-            is_mine = command.own not in self.tasks
-            task = self.tasks.setdefault(command.own, Future())
-        if not is_mine:
-            with self.pool.waits():
-                return task.result()
-        try:
-            task.set_result(result := self.do_now(command))
-            return result
-        except BaseException as fault:
-            task.set_exception(fault)
-            raise
-        finally:
-            with self.guard:
-                del self.tasks[command.own]
-
-    def do_now(self, command):
-        result = self.store.result(command.own)
-        if result and (command.is_analysis or result["status"] == "refused"):
-            return result  # somebody has just done it
+    def do(self, work):
+        """Its result. If somebody else does it, this waits."""
         if self.scope.only_known:
-            raise Unknown(f"{command.line} has not been run")
-        read = Counter(source[0] for source in command.inputs.values() if isinstance(source, tuple))
+            for made in work.inputs.values():
+                if isinstance(made, Made):
+                    self.path(made)  # may have been refused
+            raise Unknown
         with self.guard:
-            self.readers.update(read)
+            if not (task := self.tasks.get(work.own)):
+                mine = self.tasks[work.own] = Future()
+        if task:
+            try:
+                with self.pool.waits():
+                    return task.result()
+            except Stopped:  # with the point of the other one
+                self.check_needed()
+                return self.do(work)
         try:
+            mine.set_result(self.do_now(work))
+        except BaseException as fault:
+            mine.set_exception(fault)
+        with self.guard:
+            del self.tasks[work.own]
+        return mine.result()
+
+    def check_needed(self):
+        if self.pool.stopped or any(scope.is_cancelled for scope in self.scope.and_around()):
+            raise Stopped
+
+    def do_now(self, work):
+        result = self.store.result(work.own) or {}
+        if result and (work.has_report or result["status"] == "refused" or work.own in self.made):
+            return result  # somebody has just done it
+        with self.reading(
+            [made.work.own for made in work.inputs.values() if isinstance(made, Made)]
+        ):
             paths = {
-                plain: self.file(self.commands[source[0]], source[1])
-                if isinstance(source, tuple)
-                else source
-                for plain, source in command.inputs.items()
+                name: self.path(source) if isinstance(source, Made) else source
+                for name, source in work.inputs.items()
             }
             if self.dry_run:
-                return self.show(command)
-            command.check_unchanged()
-            if any(scope.is_cancelled for scope in self.scope.around()):
-                raise Unknown("another point has failed")
-            for scope in self.scope.around():
+                return self.show(work)
+            self.check_needed()
+            work.check_unchanged()
+            for scope in self.scope.and_around():
                 scope.has_run = True
-            return (
-                self.compute(command, paths)
-                if command.is_ours is not None
-                else self.measure(command, paths)
-            )
-        finally:
-            with self.guard:
-                self.readers.subtract(read)
-                for own in read:
-                    self.drop(own)
+            return self.compute(work, paths, result)
 
-    def show(self, command):
+    @contextmanager
+    def reading(self, owns):
         with self.guard:
-            print("rupture" if command.is_ours else "", command.line)
-            if command.is_analysis:
-                raise Unknown(f"{command.line} has not been run")
-            self.made[command.own] = Path()
-        return {"status": "done", "report": None}
-
-    def measure(self, command, paths):
-        since = time.monotonic()
-        result = {"command": command.line, "status": "done"}
-        arguments = (paths[str(one)] if isinstance(one, Path) else one for one in command.arguments)
+            self.readers.update(owns)
         try:
-            result["report"] = command.function(*arguments)
-        except Failure as why:
-            result |= {"status": "refused", "sentence": str(why)}
-        return self.store.save(
-            command.own, result | {"seconds": round(time.monotonic() - since, 2)}
-        )
+            yield
+        finally:
+            self.let_go(self.readers, owns)
 
-    def compute(self, command, paths):
-        folder = self.store.now / command.own
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir()
-        for name, path in paths.items():
-            try:
-                os.symlink(os.path.abspath(path), folder / name)
-            except OSError:
-                shutil.copyfile(path, folder / name)
+    def show(self, work):
+        print(work.typed, flush=True)
+        if work.has_report:
+            raise Unknown
+        self.made[work.own] = Path()
+        return {"status": "done"}
+
+    def compute(self, work, paths, before):
+        folder = self.store.now / work.own
         since = time.monotonic()
-        # what nobody types
-        said = (
-            ["--json"]
-            if command.is_analysis
-            else ["--quiet", "--json"]
-            if command.program in RUNS
-            else []
-        )
-        said = [word for word in said if word not in command.words]
-        ended = self.executor.start(
-            [path_of(command.program), *command.words[1:], *said], folder
-        ).result()
-        result = {
-            "command": command.line,
-            "status": "done",
-            "seconds": round(time.monotonic() - since, 2),
-        }
-        differs = command.is_analysis and ended.code == 1 and ended.output and not ended.sentence
-        if ended.code and not differs:
+        try:
+            with writing(folder):
+                folder.mkdir()
+                for name, path in paths.items():
+                    put_input(path, folder / name)
+            result = {"command": work.line} | work.done_in(folder, self.executor)
+        except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
-            sentence = ended.sentence
-            if (
-                command.is_ours
-                and ended.code in (1, 2)
-                and sentence
-                and not sentence.startswith("Traceback")
-            ):
-                sentence = sentence.splitlines()[-1]
-                return self.store.save(
-                    command.own, result | {"status": "refused", "sentence": sentence}
-                )
-            raise Failure(f"'{command.line}' ended with {ended.code}: {sentence}")
-        result["report"] = None
-        if command.is_analysis:
-            lines = [json.loads(line) for line in ended.output.splitlines()]
-            result["report"] = lines if "--also" in command.words else lines[0]
-        elif command.program in RUNS:
-            files = json.loads(ended.output)["files"]
-            result["checksums"] = {file["path"]: file["checksum"] for file in files}
+            self.check_needed()
+            raise
+        result["seconds"] = round(time.monotonic() - since, 3)
+        if work.has_report or result["status"] == "refused":
+            shutil.rmtree(folder, ignore_errors=True)
+            return self.store.save(work.own, result)
         for name in paths:
             (folder / name).unlink()
-        if command.is_analysis:
-            shutil.rmtree(folder)
-            return self.store.save(command.own, result)
+        if before.get("checksums", result["checksums"]) != result["checksums"]:
+            complain(f"'{work.line}' has other results than before: {folder}")
+        result = self.keep(work, folder, result | {"kept": before.get("kept", {})})
         with self.guard:
-            self.made[command.own] = folder
-            result = self.keep(command, result)
+            self.made[work.own] = folder
+            if work.kept - result["kept"].keys():  # somebody has just asked for it
+                result = self.keep(work, folder, result)
             self.drop_some()
         return result
 
     # --- files that stay, and files that go
 
-    def keep(self, command, result=None):
-        """Puts files that are to stay into the store; `result`: of a command that has just run."""
-        result = result or self.store.result(command.own)
-        folder = self.made.get(command.own)
-        if not result or not folder or self.dry_run:
-            return result
-        kept = {
-            n: self.store.keep(command.own, n, folder / n)
-            for n in sorted(command.kept)
-            if (folder / n).is_file()
-        }
-        sizes = (path.stat().st_size for path in folder.iterdir() if path.name not in kept)
-        self.sizes[command.own] = sum(sizes)
-        return self.store.save(command.own, {**result, "kept": kept})
+    def keep(self, work, folder, result):
+        """Puts files that are to stay into the store."""
+        kept = {n: sha for n, sha in result["kept"].items() if self.store.kept(work.own, n, result)}
+        for path in sorted(folder.iterdir()):
+            if path.name in work.kept and path.name not in kept:
+                kept[path.name] = self.store.keep(work.own, path)
+        others = (path for path in folder.iterdir() if path.name not in kept)
+        self.sizes[work.own] = sum(path.stat().st_size for path in others)
+        return self.store.save(work.own, result | {"kept": kept})
 
     def drop_some(self):
-        """As much as there is beyond the cap, of what nobody reads now."""
+        """As much as is beyond the cap, of what nobody reads now."""
         for own in list(self.made):
-            if sum(self.sizes.values()) <= self.cap:
-                break
-            if self.readers[own] <= 0:
+            if sum(self.sizes.values()) > self.cap and self.readers[own] <= 0:
                 self.remove(own)
 
-    def drop(self, own):
-        if self.readers[own] <= 0 and self.owners[own] <= 0:
-            self.remove(own)
+    def let_go(self, counter, owns):
+        with self.guard:
+            counter.subtract(owns)
+            for own in {*owns}:
+                if self.readers[own] <= 0 and self.owners[own] <= 0:
+                    self.remove(own)
 
     def remove(self, own):
         self.sizes.pop(own, None)
@@ -284,15 +237,19 @@ class Making:
 
     # --- points
 
-    def within(self, scope, function, *values):
+    def within(self, scope, function, values):
         """Calls a function for a point."""
         before, self.here.scope = self.scope, scope
         try:
             return function(*values)
         finally:
             self.here.scope = before
-            with self.guard:
-                self.owners.subtract(scope.named)
-                self.readers.subtract(scope.read)
-                for own in {*scope.named, *scope.read}:
-                    self.drop(own)
+            self.let_go(self.readers, scope.read)
+            self.let_go(self.owners, scope.named)
+
+
+def put_input(path, place):
+    try:
+        os.symlink(path, place)
+    except OSError:  # a file system without links
+        shutil.copyfile(path, place)

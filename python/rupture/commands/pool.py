@@ -5,38 +5,39 @@ from collections import deque
 from contextlib import contextmanager
 
 
+class Stopped(BaseException):
+    """What is going on is not needed any more."""
+
+
 class Group:
-    """Points of one `each`: those that nobody has begun, and results in their order."""
+    """The points of one `each`: those that nobody has begun, and results in their order."""
 
     def __init__(self, function, points):
-        self.function = function
-        self.waiting = deque(enumerate(points))
-        self.results = [None] * len(points)
-        self.left = len(points)
-        self.done = threading.Event()
-        self.fault = None
+        self.function, self.waiting = function, deque(enumerate(points))
+        self.left, self.results = len(points), [None] * len(points)
+        self.done, self.fault = threading.Event(), None
 
 
 class Pool:
+    """`free`: cores that nobody uses; `resuming`: threads that have waited and need one."""
+
     def __init__(self, cores):
         self.changed = threading.Condition()
-        self.free = cores - 1  # one has the caller
-        self.resuming = 0  # threads that waited, and have something to go on with
-        self.idle = self.threads = 0
-        self.most = 4 * cores + 60  # threads
-        self.groups = []  # that have points nobody has begun; the innermost last
+        self.free, self.resuming = cores - 1, 0  # one is the caller's
+        self.threads, self.idle, self.most = 0, 0, 4 * cores + 60
+        self.groups = []  # that have points nobody has begun, the innermost last
         self.stopped = False
 
     def map(self, function, points):
-        """The results for all points, in their order. Raises what one of them raised; then those
-        that nobody has begun are left out."""
-        group = Group(function, points)
+        """The results for all points, in their order. Raises what one of them raised, when those
+        that had begun have ended."""
         if not points:
             return []
+        group = Group(function, points)
         with self.changed:
             self.groups.append(group)
             self.hire()
-        while (job := self.next_of(group)) is not None:
+        while job := self.next_of(group):
             self.do(group, *job)
         with self.waits():
             group.done.wait()
@@ -46,7 +47,7 @@ class Pool:
 
     @contextmanager
     def waits(self):
-        """Another thread may use this one's core within."""
+        """Another thread may use the core of this one within."""
         with self.changed:
             self.free += 1
             self.hire()
@@ -60,34 +61,34 @@ class Pool:
                 self.free -= 1
 
     def hire(self):
-        """Makes threads for what can be done now; `changed` is held."""
-        room = min(self.free - self.resuming, sum(len(group.waiting) for group in self.groups))
-        for _ in range(min(room - self.idle, self.most - self.threads)):
-            self.threads, self.idle = self.threads + 1, self.idle + 1
+        """Finds threads for what can be begun; `changed` is held."""
+        begun = min(self.free - self.resuming, sum(len(group.waiting) for group in self.groups))
+        for _ in range(min(begun - self.idle, self.most - self.threads)):
+            self.threads += 1
+            self.idle += 1
             threading.Thread(target=self.work, daemon=True).start()
         self.changed.notify_all()
 
     def work(self):
-        while not self.stopped:
+        while True:
             with self.changed:
                 self.changed.wait_for(lambda: self.groups and self.free > self.resuming)
-                self.idle -= 1
                 self.free -= 1
+                self.idle -= 1
                 group = self.groups[-1]
                 job = self.next_of(group)
             self.do(group, *job)
             with self.changed:
-                self.free, self.idle = self.free + 1, self.idle + 1
+                self.free += 1
+                self.idle += 1
                 self.changed.notify_all()
 
     def next_of(self, group):
         with self.changed:
-            if not group.waiting:
-                return None
-            job = group.waiting.popleft()
-            if not group.waiting:
+            job = group.waiting.popleft() if group.waiting else None
+            if job and not group.waiting:
                 self.groups.remove(group)
-            return job
+        return job
 
     def do(self, group, number, point):
         try:
@@ -102,8 +103,10 @@ class Pool:
                 group.done.set()
 
     def cancel(self, group, fault):
+        """Nobody begins the others; those that are stopped for it say nothing."""
         with self.changed:
-            group.fault = group.fault or fault
+            if not group.fault or isinstance(group.fault, Stopped):
+                group.fault = fault
             group.left -= len(group.waiting)
             if group.waiting:
                 self.groups.remove(group)

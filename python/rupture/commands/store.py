@@ -1,6 +1,6 @@
-"""Results on the disk: STORE/xx/ID.json of each command, and beside it ID.NAME of the files that
-are kept. They appear whole or not at all, and are checked when they are read back. What is needed
-for the moment is in STORE/now, which goes with the call that made it, or with the next one."""
+"""Results on the disk: STORE/xx/ID.json of each command, and beside it ID.NAME of each file that is
+kept. They appear whole or not at all, and are checked when they are read. STORE/now has the files
+of the call that runs, and goes with it, or with the next one if it was killed."""
 
 import fcntl
 import hashlib
@@ -8,38 +8,47 @@ import json
 import os
 import shutil
 import sys
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from rupture.commands.identity import Report
-from rupture.errors import Failure
+from rupture.commands.code import stamp_of
+from rupture.errors import Failure, MachineFailure
 
-MARKER = "rupture-store"  # says whose folder it is; who has locked it may write
-LAYOUT = "A store of results of rupture, layout 1. It may be deleted as a whole.\n"
+MARKER = "rupture-store"  # says whose folder it is, and of which layout; is locked
+LAYOUT = "Results of rupture, layout 1. All of it may be deleted.\n"
+BODY = len('{"digest": "",') + 64  # where what the digest is of begins
+
+
+class Report(dict):
+    """A dict of which `report.slow.speed` is report["slow"]["speed"]."""
+
+    def __getattr__(self, name):
+        if name in self:
+            return self[name]
+        raise AttributeError(f"there is no {name} in the report; it has {', '.join(self)}")
 
 
 def complain(sentence):
     print(sentence, file=sys.stderr, flush=True)
 
 
-def sha256_of(path):
-    with open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW), "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
-def sync(path):
-    number = os.open(path, os.O_RDONLY | os.O_NOFOLLOW)
+@contextmanager
+def writing(path):
+    """Says what could not be written."""
     try:
-        os.fsync(number)
-    finally:
-        os.close(number)
+        yield
+    except OSError as error:
+        sentence = f"cannot write {path}: {error.strerror}; what is done is kept"
+        raise MachineFailure(sentence) from error
 
 
-def link_or_copy(source, path):
-    try:
-        os.link(source, path)
-    except OSError:  # a file system without links
-        shutil.copyfile(source, path)
+def open_own(path):
+    """A file that is no link."""
+    return open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW), "rb")
+
+
+def as_read(body):
+    return json.loads(b"{" + body, object_hook=Report)
 
 
 class Store:
@@ -48,93 +57,108 @@ class Store:
     def __init__(self, folder):
         self.folder = Path(folder).absolute()
         self.now = self.folder / "now"
-        self.fits = {}  # kept files that were checked, with their dates
-        self.take()
-        shutil.rmtree(self.now, ignore_errors=True)
-        self.now.mkdir()
+        self.checked = {}  # {kept file: its stamp when it was found to be as it was written}
+        with writing(self.folder):
+            self.folder.mkdir(parents=True, exist_ok=True)
+            self.check()
+            self.lock = self.take()
+            shutil.rmtree(self.now, ignore_errors=True)
+            self.now.mkdir(exist_ok=True)
 
-    def take(self):
-        """Fails for a folder that is not ours, and if another call uses it."""
-        self.folder.mkdir(parents=True, exist_ok=True)
-        inside = list(os.scandir(self.folder))
-        if inside and MARKER not in (one.name for one in inside):
-            raise Failure(
-                f"{self.folder} has files and is no store of rupture's: name another folder"
-            )
-        for one in inside:
+    def check(self):
+        """Raises Failure for a folder that is not ours."""
+        inside = {one.name: one for one in os.scandir(self.folder)}
+        if inside and MARKER not in inside:
+            raise Failure(f"{self.folder} has other files: name a new folder for the store")
+        for one in inside.values():
             if one.is_symlink():
                 raise Failure(f"{one.path} is a link, which is not followed: move it away")
-        self.lock = open(self.folder / MARKER, "a+", encoding="utf-8")
+
+    def take(self):
+        lock = open(self.folder / MARKER, "a+", encoding="utf-8")
         try:
-            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            sentence = f"another call works with {self.folder}: wait until it has ended"
-            raise Failure(sentence) from None
+            raise Failure(f"another call uses {self.folder}: wait until it has ended") from None
         except OSError as error:  # of some shared file systems
             complain(f"cannot lock {self.folder} ({error.strerror}): do not start a second call")
-        self.lock.seek(0)
-        if (found := self.lock.read()) not in ("", LAYOUT):
-            raise Failure(
-                f"{self.folder} has another layout ({found.strip()}): name another folder"
-            )
-        self.lock.truncate(0)
-        self.lock.write(LAYOUT)
-        self.lock.flush()
+        lock.seek(0)
+        if (found := lock.read()) not in ("", LAYOUT):
+            raise Failure(f"{self.folder} is of another version ({found.strip()}): name a new one")
+        lock.write(LAYOUT.removeprefix(found))
+        lock.flush()
+        return lock
 
     def place(self, own, name):
         return self.folder / own[:2] / f"{own}.{name}"
 
-    # --- reports
+    def refuse(self, place, sentence):
+        """What is not as it was written goes."""
+        complain(f"{place} is not as it was written: {sentence}")
+        with suppress(OSError):
+            place.unlink()
 
     def result(self, own):
         """What is known of a command; None if nothing is."""
+        place = self.place(own, "json")
         try:
-            with open(os.open(self.place(own, "json"), os.O_RDONLY | os.O_NOFOLLOW), "rb") as file:
+            with open_own(place) as file:
                 text = file.read()
         except FileNotFoundError:
             return None
-        head, body = text[:78], text[78:]  # {"digest": "...",
-        if head[12:76] != hashlib.sha256(body).hexdigest().encode():
-            complain(f"{self.place(own, 'json')} is not as it was written: done again")
-            return None
-        return json.loads(b"{" + body, object_hook=Report)
+        except OSError:  # a link
+            text = b""
+        if text[12 : BODY - 2].decode() == hashlib.sha256(text[BODY:]).hexdigest():
+            return as_read(text[BODY:])
+        return self.refuse(place, "it is done again")
 
     def save(self, own, result):
-        """Returns it as it is read back."""
+        """Returns it as it will be read."""
         body = json.dumps(result)[1:].encode()
-        text = b'{"digest": "%s",' % hashlib.sha256(body).hexdigest().encode() + body
         place = self.place(own, "json")
-        part = self.now / place.name
-        part.write_bytes(text)
-        self.put(part, place)
-        return json.loads(b"{" + body, object_hook=Report)
+        with writing(place):
+            part = self.now / place.name
+            part.write_bytes(b'{"digest": "%s",' % hashlib.sha256(body).hexdigest().encode() + body)
+            self.put(part, place)
+        return as_read(body)
 
     def put(self, part, place):
-        sync(part)
+        with open_own(part) as file:
+            os.fsync(file.fileno())
         place.parent.mkdir(exist_ok=True)
         os.replace(part, place)
 
-    # --- kept files
+    def keep(self, own, path):
+        """Returns its SHA-256."""
+        place = self.place(own, path.name)
+        with writing(place):
+            part = self.now / place.name
+            link_or_copy(path, part)
+            self.put(part, place)
+        self.checked[place] = stamp_of(place)
+        return self.sha256(place)
 
-    def keep(self, own, name, path):
-        """Its SHA-256."""
-        part = self.now / f"{own}.{name}"
-        link_or_copy(path, part)
-        self.put(part, self.place(own, name))
-        return sha256_of(self.place(own, name))
+    def sha256(self, path):
+        with open_own(path) as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
 
     def kept(self, own, name, result):
         """The path of a kept file; None if there is none, or another one."""
         place = self.place(own, name)
         if name not in result.get("kept", {}) or not os.path.lexists(place):
             return None
-        stat = os.lstat(place)
-        date = stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns
-        if self.fits.get(place) != date:
+        stamp = stamp_of(place)
+        if self.checked.get(place) != stamp:
             with suppress(OSError):
-                if sha256_of(place) == result["kept"][name]:
-                    self.fits[place] = date
-        if self.fits.get(place) == date:
+                if self.sha256(place) == result["kept"][name]:
+                    self.checked[place] = stamp
+        if self.checked.get(place) == stamp:
             return place
-        complain(f"{place} is not as it was written: made again")
-        return None
+        return self.refuse(place, "it is made again")
+
+
+def link_or_copy(source, path):
+    try:
+        os.link(source, path)
+    except OSError:  # a file system without links
+        shutil.copyfile(source, path)

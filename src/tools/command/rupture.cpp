@@ -94,7 +94,7 @@ std::string describe() {
   argv.push_back(nullptr);
   std::signal(SIGPIPE, SIG_DFL);  // ignored signals are inherited
   ::execv(path.c_str(), argv.data());
-  throw Failure("cannot run {}: {}", path, std::strerror(errno));
+  throw MachineFailure("cannot run {}: {}", path, std::strerror(errno));
 }
 
 int run(Words words) {
