@@ -15,7 +15,6 @@ Results are in ./store, in $RUPTURE_STORE, or where use(store=...) says."""
 
 import atexit
 import os
-import shutil
 import signal
 import sys
 import time
@@ -24,7 +23,8 @@ from pathlib import Path
 
 from rupture.commands.identity import Command, Made, Measurement, Refused
 from rupture.commands.machine import programs_at_a_time
-from rupture.commands.making import Making, Scope, Unknown
+from rupture.commands.holdings import Scope
+from rupture.commands.making import Making, Unknown
 from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
@@ -56,39 +56,39 @@ def finish():
     """Files that are not kept go."""
     while current:
         making = current.pop()
-        making.executor.stop()
-        shutil.rmtree(making.store.now, ignore_errors=True)
-        making.store.lock.close()
+        making.stop()
+        making.pool.close()
+        making.holdings.close(making.outermost)
 
 
 def end(number, _):
     for making in current:
-        making.pool.stopped = True
-        making.executor.stop()
+        making.stop()
     complain("interrupted: what is done is kept, and the same call goes on from there")
     sys.exit(128 + number)
 
 
-def made_by(kind, *words):
+def work_of(kind, *words, keep=()):
     """A command or measurement of the recipe or script that asks for it."""
     making = current[0] if current else use()
     file = sys._getframe(2).f_globals.get("__file__")
-    return kind(*words, making, Path(file).resolve().parent if file else Path.cwd())
+    work = kind(*words, making, Path(file).resolve().parent if file else Path.cwd())
+    work.kept = {work[name].name for name in keep}
+    return making.holdings.name(work, making.scope)
 
 
 def run(line, keep=()):
     """The report of `analyze`; the files of another program, not made yet. `keep`: those that stay
     when the point is done, because much work is in them or a picture needs them."""
-    command = made_by(Command, line)
-    command = command.making.name(command, keep)
+    command = work_of(Command, line, keep=keep)
     return command.making.report(command) if command.has_report else command
 
 
 def measured(function, *files):
     """What a Python function returns for these files, numbers and texts. It is known by the code
     of its module and of what that imports of ours, without comments."""
-    work = made_by(Measurement, function, files)
-    return work.making.report(work.making.name(work))
+    work = work_of(Measurement, function, files)
+    return work.making.report(work)
 
 
 class Points(list):

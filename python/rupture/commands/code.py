@@ -21,7 +21,7 @@ RUNS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints an
 OURS = ("analyze", *RUNS, *DRAWING)
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
 LOADED, NO_BITS = 2, 8  # in ELF: a flag of sections in memory; the type of those without bytes
-OTHERS = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "purelib", "platlib"))
+STANDARD = sysconfig.get_paths()["stdlib"]
 
 
 def digest(*parts):
@@ -62,13 +62,12 @@ def sections(content):
             yield names[name : names.index(b"\0", name)], content[place : place + length]
 
 
-@cache
 def path_of(program):
     """Of a program of ours, or of any other on the PATH."""
     found = programs.path_of(program) if program in OURS else shutil.which(program)
     if not found:
         raise UsageError(f"there is no program {program}, neither in rupture nor on the PATH")
-    return os.path.realpath(found)
+    return os.path.abspath(found)
 
 
 def digest_of_program(program, store):
@@ -95,7 +94,7 @@ def without_docstrings(tree):
         body = getattr(node, "body", None)
         if isinstance(body, list) and body and isinstance(body[0], ast.Expr):
             if isinstance(body[0].value, ast.Constant) and isinstance(body[0].value.value, str):
-                body[0].value.value = ""
+                del body[0]
     return tree
 
 
@@ -125,7 +124,8 @@ def modules_at(level, name, folder):
     """The files of a module of ours, and of the packages around it; none of others."""
     places = [folder.joinpath(*[".."] * (level - 1))]
     if not level:
-        places += [Path(place) for place in sys.path if not place.startswith(OTHERS)]
+        others = ("site-packages", "dist-packages")
+        places += [Path(p) for p in sys.path if not p.startswith(STANDARD) | p.endswith(others)]
         places += [PACKAGE.parent] * name.startswith("rupture")
     parts, found = name.split("."), []
     for n in range(1, len(parts) + 1):

@@ -105,9 +105,9 @@ class Command(Work):
         return word
 
     def input_of(self, own, name):
-        if own not in self.making.works:
+        if own not in self.making.holdings.works:
             raise UsageError(f"@{own}/{name} is a file of another call: make it in this one")
-        return self.named(name, Made(self.making.works[own], name))
+        return self.named(name, Made(self.making.holdings.works[own], name))
 
     def __getitem__(self, name):
         """Raises NoSuchName for a file that it does not write, as far as its words tell."""
@@ -120,17 +120,23 @@ class Command(Work):
         """Its result in a folder with its inputs. Raises Failure if there is none."""
         said = SAID.get(self.program, [])
         words = [path_of(self.program), *self.words[1:], *(w for w in said if w not in self.words)]
-        code, output, sentence = executor.start(words, folder).result()
+        try:
+            code, output, sentence = executor.start(words, folder).result()
+        except OSError as error:
+            raise MachineFailure(f"'{self.line}' cannot start: {error.strerror}") from error
         if code and not (code == 1 and self.has_report and output and not sentence):  # as of diff
             if self.program in OURS and code in (1, 2) and sentence and sentence[:9] != "Traceback":
-                return {"status": "refused", "sentence": sentence.splitlines()[-1]}
+                sentence = sentence.splitlines()[-1]
+                return {"status": "refused", "code": code, "sentence": sentence}
             kind = MachineFailure if code == 3 else Failure
             raise kind(f"'{self.line}' ended with {code}: {sentence}; the next call tries again")
         answers = [json.loads(line) for line in output.splitlines()] if said else []
         if self.has_report:
-            return {"status": "done", "report": answers if len(answers) > 1 else answers[0]}
+            report = answers if len(answers) > 1 else answers[0]
+            return {"status": "done", "code": code, "report": report}
         files = answers[0]["files"] if said else []
-        return {"status": "done", "checksums": {file["path"]: file["checksum"] for file in files}}
+        checksums = {file["path"]: file["checksum"] for file in files}
+        return {"status": "done", "code": code, "checksums": checksums}
 
 
 class Measurement(Work):

@@ -72,7 +72,9 @@ class Pool:
     def work(self):
         while True:
             with self.changed:
-                self.changed.wait_for(lambda: self.groups and self.free > self.resuming)
+                self.changed.wait_for(self.is_needed)
+                if self.stopped:
+                    return
                 self.free -= 1
                 self.idle -= 1
                 group = self.groups[-1]
@@ -82,6 +84,14 @@ class Pool:
                 self.free += 1
                 self.idle += 1
                 self.changed.notify_all()
+
+    def is_needed(self):
+        return self.stopped or self.groups and self.free > self.resuming
+
+    def close(self):
+        self.stopped = True
+        with self.changed:
+            self.changed.notify_all()
 
     def next_of(self, group):
         with self.changed:

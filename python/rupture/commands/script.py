@@ -42,7 +42,7 @@ def script_of(works, title, root="/"):
                 own_files.append(os.path.relpath(source, root))
                 path = f'"$FILES"/{shlex.quote(own_files[-1])}'
             lines.append(f"ln -s {path} {shlex.quote(name)}")
-        refused = (work.making.store.result(work.own) or {}).get("status") == "refused"
-        lines += [work.typed + (" || true  # is refused" if refused else ""), "cd .."]
+        code = (work.making.store.result(work.own) or {}).get("code")
+        lines += [f"{work.typed} || test $? = {code}" if code else work.typed, "cd .."]
     files = FILES.format(names=", ".join(dict.fromkeys(own_files))) if own_files else ""
     return HEAD.format(title=title) + files + "\n".join(lines) + "\n"

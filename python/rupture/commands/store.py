@@ -16,7 +16,7 @@ from rupture.errors import Failure, MachineFailure
 
 MARKER = "rupture-store"  # says whose folder it is, and of which layout; is locked
 LAYOUT = "Results of rupture, layout 1. All of it may be deleted.\n"
-BODY = len('{"digest": "",') + 64  # where what the digest is of begins
+BODY = len('{"digest": "",') + 64  # where the rest of a result begins
 
 
 class Report(dict):
@@ -45,6 +45,12 @@ def writing(path):
 def open_own(path):
     """A file that is no link."""
     return open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW), "rb")
+
+
+def head(own, body):
+    """How the file of a result begins."""
+    found = hashlib.sha256(own.encode() + body).hexdigest()
+    return f'{{"digest": "{found}",'.encode()
 
 
 def as_read(body):
@@ -89,6 +95,10 @@ class Store:
         lock.flush()
         return lock
 
+    def close(self):
+        shutil.rmtree(self.now, ignore_errors=True)
+        self.lock.close()
+
     def place(self, own, name):
         return self.folder / own[:2] / f"{own}.{name}"
 
@@ -108,7 +118,7 @@ class Store:
             return None
         except OSError:  # a link
             text = b""
-        if text[12 : BODY - 2].decode() == hashlib.sha256(text[BODY:]).hexdigest():
+        if text[:BODY] == head(own, text[BODY:]):
             return as_read(text[BODY:])
         return self.refuse(place, "it is done again")
 
@@ -118,7 +128,7 @@ class Store:
         place = self.place(own, "json")
         with writing(place):
             part = self.now / place.name
-            part.write_bytes(b'{"digest": "%s",' % hashlib.sha256(body).hexdigest().encode() + body)
+            part.write_bytes(head(own, body) + body)
             self.put(part, place)
         return as_read(body)
 
