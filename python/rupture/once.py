@@ -137,6 +137,7 @@ def known(function, points):
 def asked():
     """Yields a list, in which is in the end what was asked for within: commands, in order."""
     scope = (current[0] if current else use()).scope
-    begin, log = len(scope.asked), []
+    log: list[Command | Measurement] = []
+    begin = len(scope.asked)
     yield log
     log += dict.fromkeys(scope.asked[begin:])

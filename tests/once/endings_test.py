@@ -8,20 +8,23 @@ import time
 
 import pytest
 
-from laboratory import lab  # noqa: F401
 
 MANY = """
 from itertools import product
+
+pytest_plugins = "laboratory"
 def front(n, m):
     start = run(f"load --seed {n} --sleep 0.01 -o a.h5", keep=["a.h5"])["a.h5"]
-    record = run(f"restart {start} --x {m} --sleep 0.02 -o b.h5 --record r.h5", keep=["r.h5"])["r.h5"]
-    return run(f"analyze front {record}").read
+    after = run(f"restart {start} --x {m} --sleep 0.02 -o b.h5 --record r.h5", keep=["r.h5"])
+    return run(f"analyze front {after['r.h5']}").read
 def fronts(n):
     return len(each(lambda m: front(n, m), range(3)))
 print(sum(found for _, found in each(fronts, range(4), "fronts")))
 """
 LONG = """
-each(lambda n: print(run(f"analyze stress --sleep {60 if n else 0} --x {n}").said, flush=True), range(9), "stress")
+def point(n):
+    print(run(f"analyze stress --sleep {60 if n else 0} --x {n}").said, flush=True)
+each(point, range(9), "stress")
 """
 KILLS = 20
 

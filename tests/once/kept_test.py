@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from laboratory import lab  # noqa: F401
 from rupture import once
 from rupture.errors import Failure, MachineFailure
 from rupture.once import each, run
+
+pytest_plugins = "laboratory"
 
 
 def front(start="a.h5", line="load -o a.h5", words="", keep=()):

@@ -5,13 +5,28 @@ import shutil
 import pytest
 
 from conftest import BIN
-from laboratory import lab  # noqa: F401
 from rupture.commands.code import digest_at, sections, stamp_of
 from rupture.errors import Failure, NoSuchName, UsageError
 from rupture import once
 from rupture.once import asked, measured, run
 
-NUMBERS = "from helpers import HALF\nfrom rupture.once import run\ndef size(path):\n    return len(open(path).read()) * HALF\n"
+pytest_plugins = "laboratory"
+
+RECIPE = """from rupture.once import run
+def it():
+    end = run("load table.csv -o end.h5")["end.h5"]
+    return run(f"analyze phi {end}").read
+"""
+RAISES = """from rupture.errors import *
+CALLS = []
+def it(kind):
+    CALLS.append(1)
+    raise globals()[kind]("so it is")
+"""
+NUMBERS = """from helpers import HALF
+def size(path):
+    return len(open(path).read()) * HALF
+"""
 
 
 def test_a_command_is_done_once(lab):
@@ -54,10 +69,9 @@ def test_a_word_is_a_path_relative_to_the_recipe(lab):
 
 def test_a_folder_may_be_moved(lab):
     lab.write("project/table.csv", "a")
-    text = "from rupture import once\ndef it(): return once.run(f'analyze phi {once.run(LINE)[\"end.h5\"]}').read"
     for name in ("project", "moved"):
         once.use(store=lab.folder / name / "store")
-        recipe = lab.module(f"{name}/recipe", f"LINE = 'load table.csv -o end.h5'\n{text}")
+        recipe = lab.module(f"{name}/recipe", RECIPE)
         assert recipe.it() == "<load table.csv -o end.h5<a>>"
         once.finish()
         shutil.move(lab.folder / name, lab.folder / "moved")
@@ -207,8 +221,7 @@ def test_a_measurement_takes_numbers_texts_and_users_files(lab):
 
 
 def test_a_measurement_may_refuse_but_the_machines_failure_is_no_result(lab):
-    text = "from rupture.errors import *\nCALLS = []\ndef it(kind):\n    CALLS.append(1)\n    raise globals()[kind]('so it is')\n"
-    own = lab.module("own", text)
+    own = lab.module("own", RAISES)
     for kind, count in (("Failure", 1), ("MachineFailure", 3)):
         for _ in range(2):
             with pytest.raises(Failure, match="so it is"):

@@ -1,6 +1,5 @@
 """A folder with stand-ins for programs, a store, and calls that use it."""
 
-import importlib.util
 import os
 import shutil
 import signal
@@ -8,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -46,9 +46,10 @@ class Laboratory:
 
     def module(self, name, text):
         """A recipe in this folder, anew."""
-        spec = importlib.util.spec_from_file_location(name, self.write(f"{name}.py", text))
-        module = sys.modules[name] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(module)
+        path = self.write(f"{name}.py", text)
+        module = sys.modules[name] = ModuleType(name)
+        module.__file__ = str(path)
+        exec(compile(text, path, "exec"), module.__dict__)
         return module
 
     def start(self, text, *words):
@@ -56,8 +57,8 @@ class Laboratory:
         once.finish()
         imports = "from rupture.once import *\nfrom rupture.once import use\nuse(cores=2)\n"
         path = self.write("script.py", imports + text)
-        streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-        return subprocess.Popen([sys.executable, path, *words], cwd=self.folder, **streams)
+        command, pipe = [sys.executable, path, *words], subprocess.PIPE
+        return subprocess.Popen(command, cwd=self.folder, stdout=pipe, stderr=pipe, text=True)
 
     def script(self, text, *words):
         with self.start(text, *words) as it:

@@ -9,10 +9,10 @@ import time
 import pytest
 
 from conftest import succeeds
-from laboratory import lab  # noqa: F401
-from rupture import once
 from rupture.errors import Failure, MachineFailure
 from rupture.once import Refused, asked, each, known, run, script_of
+
+pytest_plugins = "laboratory"
 
 
 class Meter:
@@ -187,11 +187,11 @@ def test_progress_is_said_and_the_rest_takes_as_long_as_last_time(lab, capfd, mo
     lab.call(cores=1)
     points = [(0.1, n) for n in range(4)] + [(1.5, 9)]
 
-    def point(seconds, n, x=1):
+    def point(seconds, n, x):
         run(f"analyze stress --x {x}{n} --sleep {seconds}")
 
-    each(point, points, "fronts")
-    each(lambda *values: point(*values, x=2), points, "fronts")
+    for x in range(2):
+        each(lambda seconds, n: point(seconds, n, x), points, "fronts")
     said = capfd.readouterr().err
     left = [
         int(n) for n in re.findall(r"^\[ *\d+ s, about (\d+) s left\] fronts: . of 5$", said, re.M)

@@ -80,7 +80,7 @@ def digest_of_program(program, store):
 
 def digest_of_function(function, store):
     """Of its module and what this imports of ours, and of programs, which it may run."""
-    module = Path(sys.modules[function.__module__].__file__).resolve()
+    module = Path(function.__code__.co_filename).resolve()
     programs = (digest_of_program(name, store) for name in ("analyze", *RUNS))
     return digest(digest_of_modules(module, store), function.__qualname__, *programs)
 

@@ -33,7 +33,8 @@ class Holdings:
         self.cap = cap or shutil.disk_usage(store.folder).free // 2  # [bytes]
         self.guard = threading.RLock()
         self.works, self.folders, self.sizes = {}, {}, {}
-        self.owners, self.readers = Counter(), Counter()
+        self.owners: Counter[str] = Counter()
+        self.readers: Counter[str] = Counter()
 
     def name(self, work, scope):
         """The one of its kind, which the outermost open point that named it owns."""

@@ -6,7 +6,7 @@ import re
 import shlex
 from pathlib import Path
 
-from rupture.commands.code import DRAWING, OURS, RUNS, digest, digest_at, digest_of_function
+from rupture.commands.code import OURS, RUNS, digest, digest_at, digest_of_function
 from rupture.commands.code import digest_of_program, path_of, stamp_of
 from rupture.errors import Failure, MachineFailure, NoSuchName, UsageError, is_of_machine
 
@@ -61,7 +61,7 @@ class Work:
                 raise Failure(f"{path} has changed meanwhile: start again")
 
     def own_file(self, name):
-        """The path of a user's own file, relative to the recipe or script; None if there is none."""
+        """The path of a user's file, relative to the recipe or script; None if there is none."""
         path = os.path.join(self.folder, name)
         return os.path.realpath(path) if os.path.isfile(path) else None
 
@@ -144,10 +144,9 @@ class Measurement(Work):
 
     def __init__(self, function, arguments, making, folder):
         super().__init__(making, folder)
-        if "<" in function.__qualname__:
-            raise UsageError(
-                f"{function.__qualname__} is no function of a module: define it in one"
-            )
+        code = getattr(function, "__code__", None)
+        if not code or "<" in function.__qualname__ or not os.path.isfile(code.co_filename):
+            raise UsageError(f"{function} is no function in a file: define it in one by name")
         self.function = function
         self.arguments = [self.plain(one) for one in arguments]
         shown = [one.name if isinstance(one, Path) else json.dumps(one) for one in self.arguments]

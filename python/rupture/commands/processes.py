@@ -5,6 +5,7 @@ import shutil
 import signal
 import subprocess
 from contextlib import suppress
+from weakref import WeakSet
 
 WITH_US = ["setpriv", "--pdeathsig", "KILL"]  # they end if we are killed
 
@@ -14,11 +15,26 @@ class Local:
     and stop()."""
 
     def __init__(self):
-        self.running, self.stopped = set(), False
+        self.running: WeakSet[Process] = WeakSet()
+        self.stopped = False
         self.prefix = WITH_US if shutil.which(WITH_US[0]) else []
 
     def start(self, words, folder):
-        return Process(self, words, folder)
+        process = Process(
+            [*self.prefix, *words],
+            cwd=folder,
+            env={"OMP_NUM_THREADS": "1", **os.environ},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            start_new_session=True,
+        )
+        self.running.add(process)
+        if self.stopped:
+            self.stop()
+        return process
 
     def stop(self):
         """Takes no lock: signals call it. Nobody needs what the programs have written."""
@@ -29,23 +45,7 @@ class Local:
 
 
 class Process(subprocess.Popen):
-    def __init__(self, executor, words, folder):
-        streams = {
-            "stdin": subprocess.DEVNULL,
-            "stdout": subprocess.PIPE,
-            "stderr": subprocess.PIPE,
-        }
-        options = {"text": True, "errors": "replace", "start_new_session": True}
-        surroundings = {"OMP_NUM_THREADS": "1", **os.environ}
-        words = [*executor.prefix, *words]
-        super().__init__(words, cwd=folder, env=surroundings, **streams, **options)
-        self.executor = executor
-        executor.running.add(self)
-        if executor.stopped:
-            executor.stop()
-
     def result(self):
         """Exit code, standard output, and what was said on the other stream."""
         output, said = self.communicate()
-        self.executor.running.discard(self)
         return self.returncode, output, said.strip()

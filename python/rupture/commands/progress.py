@@ -1,4 +1,4 @@
-"""Says how many points of an `each` are done, and estimates the rest from the seconds of last time."""
+"""Says how many points are done, and estimates the rest from the seconds of last time."""
 
 import threading
 import time
