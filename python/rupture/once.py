@@ -32,7 +32,7 @@ from rupture.commands.script import script_of
 from rupture.commands.store import Report, Store, complain
 
 __all__ = ["Made", "Refused", "Report", "Unknown"]
-__all__ += ["asked", "each", "known", "measured", "run", "script_of", "use"]
+__all__ += ["asked", "each", "keep", "known", "measured", "run", "script_of", "use"]
 
 current: list[Making] = []  # one, or none yet
 
@@ -84,6 +84,12 @@ def run(line, keep=()):
     return command.making.report(command) if command.has_report else command
 
 
+def keep(*made):
+    """Files that stay when their point is done, if something has needed them."""
+    for one in made:
+        one.work.making.holdings.keep(one)
+
+
 def measured(function, *files):
     """What a Python function returns for these files, numbers and texts. It is known by the code
     of its module and of what that imports of ours, without comments."""
@@ -128,9 +134,9 @@ def each(function, points, title="", only_known=False):
     return worked
 
 
-def known(function, points):
+def known(function, points, title=""):
     """`each` for the points whose reports are all there. Nothing runs."""
-    return each(function, points, only_known=True)
+    return each(function, points, title, only_known=True)
 
 
 @contextmanager

@@ -8,7 +8,7 @@ import pytest
 
 from rupture import once
 from rupture.errors import Failure, MachineFailure
-from rupture.once import each, run
+from rupture.once import each, keep, run
 
 pytest_plugins = "laboratory"
 
@@ -47,9 +47,13 @@ def test_kept_files_stay(lab):
     assert lab.ran() == ["load -o a.h5", "analyze front a.h5", "analyze front a.h5 --x 1"]
 
 
-def test_a_file_may_be_kept_later(lab):
+@pytest.mark.parametrize(
+    "keep_it",
+    [lambda: run("load -o a.h5", keep=["a.h5"]), lambda: keep(run("load -o a.h5")["a.h5"])],
+)
+def test_a_file_may_be_kept_later(lab, keep_it):
     front()
-    run("load -o a.h5", keep=["a.h5"])
+    keep_it()
     lab.call()
     front(words="--x 1")
     assert lab.ran().count("load -o a.h5") == 1

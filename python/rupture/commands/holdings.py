@@ -73,7 +73,11 @@ class Holdings:
         while sum(self.sizes.values()) > self.cap and (own := next(unread, None)):
             self.remove(own)
 
-    def keep(self, work, folder, before):
+    def keep(self, made):
+        with self.guard:
+            made.work.kept.add(made.name)
+
+    def stored(self, work, folder, before):
         """{name: SHA-256} of the files that stay; new ones are put into the store."""
         old = before.get("kept", {})
         kept = {name: sha for name, sha in old.items() if self.store.kept(work.own, name, before)}
@@ -94,7 +98,7 @@ class Holdings:
             return
         folder, work, result = self.folders.pop(own), self.works[own], self.store.result(own)
         if result and work.kept - result["kept"].keys():  # asked for after it was done
-            self.store.save(own, result | {"kept": self.keep(work, folder, result)})
+            self.store.save(own, result | {"kept": self.stored(work, folder, result)})
         shutil.rmtree(folder, ignore_errors=True)
 
     def leave(self, scope):

@@ -136,7 +136,7 @@ class Making:
             if is_made:
                 for name in paths:
                     (folder / name).unlink()
-                result["kept"] = self.holdings.keep(work, folder, before)
+                result["kept"] = self.holdings.stored(work, folder, before)
             result = self.store.save(work.own, result)
         except BaseException as fault:
             shutil.rmtree(folder, ignore_errors=True)
