@@ -10,7 +10,7 @@ from glob import escape
 from pathlib import Path
 
 import rupture
-from rupture.errors import Failure, UsageError
+from rupture.errors import Failure, MachineFailure, UsageError
 
 PACKAGE = Path(__file__).resolve().parent
 
@@ -24,15 +24,17 @@ def own_folder():
     return PACKAGE.parents[3] / "libexec/rupture"  # from lib/python3/dist-packages
 
 
-def command_of(program):
-    """The words that start a program: of the folder $RUPTURE_BIN, of this build or installation,
-    or of `rupture` on the PATH."""
-    own = os.environ.get("RUPTURE_BIN")
-    folder = Path(own or own_folder())
-    if os.access(folder / program, os.X_OK):
-        return [str(folder / program)]
-    if not own and shutil.which("rupture"):
-        return ["rupture", program]
+def path_of(program):
+    """A program in the folder $RUPTURE_BIN, in this build or installation, or in that of the
+    `rupture` on the PATH."""
+    own, rupture = os.environ.get("RUPTURE_BIN"), shutil.which("rupture")
+    folders = [Path(own or own_folder())]
+    if not own and rupture:
+        bin_folder = Path(rupture).resolve().parent
+        folders += [bin_folder.parent / "libexec/rupture", bin_folder]
+    for path in (str(folder / program) for folder in folders):
+        if os.access(path, os.X_OK):
+            return path
     where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"
     raise Failure(
         f"program {program} not found: {where}; build it, or set RUPTURE_BIN to its folder"
@@ -59,12 +61,12 @@ def options_of(options):
 def output_of(program, *arguments):
     """Runs a program and returns its standard output. Raises Failure with its sentence if it
     failed, UsageError if it was asked for something impossible. That files differ is a result."""
-    command = command_of(program) + [word for given in arguments for word in words(given)]
+    command = [path_of(program)] + [word for given in arguments for word in words(given)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     differs = done.returncode == 1 and done.stdout and not done.stderr
     if done.returncode and not differs:
         said = done.stderr.strip().splitlines()[-1:] or [f"{program} ended with {done.returncode}"]
-        raise (UsageError if done.returncode == 2 else Failure)(said[0])
+        raise {2: UsageError, 3: MachineFailure}.get(done.returncode, Failure)(said[0])
     return done.stdout
 
 

@@ -71,6 +71,10 @@ std::string help() {
       "Usage: {}\n       rupture help [TOOL [COMMAND]]\n       rupture --version\n\n{}\n\nTools:\n",
       kSynopsis, kPurpose);
   for (const Tool& tool : kTools) text += fmt::format("  {:<12} {}\n", tool.name, tool.summary);
+  text +=
+      "\nExit codes: 0 done, 1 failed, 2 wrong use of the command line, 3 this machine failed "
+      "(full "
+      "disk, no\nmemory, no permission)\n";
   return text;
 }
 
@@ -94,7 +98,7 @@ std::string describe() {
   argv.push_back(nullptr);
   std::signal(SIGPIPE, SIG_DFL);  // ignored signals are inherited
   ::execv(path.c_str(), argv.data());
-  throw Failure("cannot run {}: {}", path, std::strerror(errno));
+  throw MachineFailure("cannot run {}: {}", path, std::strerror(errno));
 }
 
 int run(Words words) {
