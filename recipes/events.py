@@ -176,9 +176,9 @@ def continued_from(load, event):
     start, lasting, amid = before(load, event), duration(event), middle_of(event.in_words)
     record = run(f"restart {start} -o event.h5 --for {lasting} {FINEST}")["record.h5"]
     stopped = run(f"restart {start} -o amid-slow.h5 --until {amid}")["amid-slow.h5"]
-    undriven = run(
-        f"restart {stopped} -o undriven.h5 --set driving.V=0 --for {lasting} {FINE}"
-    )["record.h5"]
+    undriven = run(f"restart {stopped} -o undriven.h5 --set driving.V=0 --for {lasting} {FINE}")[
+        "record.h5"
+    ]
     return SimpleNamespace(
         start=start,
         strength=run(f"analyze strength {start}"),

@@ -1,5 +1,5 @@
-"""Prepared interfaces: the front that is triggered on one, maps of types over prestress and width of
-phi (Figure 4 D), and edges, where the type changes with prestress."""
+"""Prepared interfaces: the front that is triggered on one, maps of types over prestress and width
+of phi (Figure 4 D), and edges, where the type changes with prestress."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -62,7 +62,7 @@ def fronts_at(places, seeds, options="", title="map", front=front_at):
     for _, sentence in worked.refused:
         if not sentence.startswith("prepare: "):
             raise Failure(f"a prepared interface was not run: {sentence}")
-    found, fronts = dict(worked), {}
+    found, fronts = dict(worked), dict[tuple, dict]()
     for point in points:
         tau_bar, sigma_bar, seed, _ = point
         fronts.setdefault((tau_bar, sigma_bar), {})[seed] = found.get(point)

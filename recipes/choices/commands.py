@@ -1,5 +1,6 @@
 """Details that the paper leaves open, one changed at a time, and two together: fronts on prepared
-interfaces, and loads with the first eight seeds of the ensemble, which has those with our choices."""
+interfaces, and loads with the first eight seeds of the ensemble, where those with our choices are.
+"""
 
 from functools import cache
 

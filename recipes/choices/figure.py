@@ -124,7 +124,7 @@ def bands():
 def share_of(claim, choice):
     """[share] of the runs or branches of a choice for which a claim holds, in the primary way."""
     row = table()[claim] | {"ways": ()}
-    units = (units_of_branches if claim in OF_BRANCHES else units_of_runs)(choice)
+    units = units_of_branches(choice) if claim in OF_BRANCHES else units_of_runs(choice)
     measured = function_of(row["recipe"], row["measured"])
     return shares_of(row, by_convention(row, measured, units))
 

@@ -1,10 +1,15 @@
 """The verdicts of the release, from the table docs/verdicts.csv, to stand beside those of a run."""
 
 import csv
-
-from report.origin import version_of
+import re
 
 TABLE = "docs/verdicts.csv"
+
+
+def version_of(build):
+    """The version in the text about a build (report/origin.py); None if it is not known."""
+    found = re.match(r"rupture ([^,]+), ", build)
+    return found and found[1]
 
 
 def released(root, builds):

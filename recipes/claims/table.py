@@ -32,6 +32,10 @@ def table(paper=""):
     return found
 
 
+def row_of(claim_id):
+    return table(paper_of(claim_id))[claim_id]
+
+
 def rows_of(recipe):
     return [row for row in table(paper_of(recipe)).values() if row["recipe"] == recipe]
 

@@ -76,9 +76,7 @@ def drops(events, way):
     largest = max(e.F_T_before - e.F_T_after for e in events[way])
     large = [e for e in events[way] if e.F_T_before - e.F_T_after >= largest / 2]
     return {
-        "early events that reach the leading edge": sum(
-            e.t_rupture[-1] is not None for e in early
-        ),
+        "early events that reach the leading edge": sum(e.t_rupture[-1] is not None for e in early),
         "large drops by other events": sum(not e.spanning for e in large),
         "large drops by spanning events": sum(e.spanning for e in large),
         "first spanning event at [s]": first,

@@ -1,4 +1,4 @@
-"""Figure 2: events I, II and III, and the event of independent runs that is most like the paper's."""
+"""Figure 2: events I, II and III, and that of independent runs which is most like the paper's."""
 
 from functools import cache
 from types import SimpleNamespace

@@ -1,5 +1,5 @@
-"""Figure 3 A-C: events I and II from 0.14 L on, with the driving stopped, without slow slip, and with
-other slipping times."""
+"""Figure 3 A-C: events I and II from 0.14 L on, with the driving stopped, without slow slip, and
+with other slipping times."""
 
 from functools import cache
 from types import SimpleNamespace

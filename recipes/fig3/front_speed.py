@@ -90,7 +90,9 @@ def fronts(seed):
     """Rows under both laws."""
     law = {"junctions.law": "reference", "junctions.v_slow": 0}
     points = [
-        (name, parameters(seed, **law | of)) for name, variants in VARIANTS.items() for of in variants
+        (name, parameters(seed, **law | of))
+        for name, variants in VARIANTS.items()
+        for of in variants
     ]
     return [row for _, row in each(slow.front_of, points, f"front speeds, seed {seed}")]
 
@@ -105,7 +107,9 @@ def front_of_width(variant, parameters):
 @cache
 def widths(seed):
     """Usable rows of the full law at other widths of phi."""
-    points = [(name, parameters(seed, **of)) for name, variants in WIDTHS.items() for of in variants]
+    points = [
+        (name, parameters(seed, **of)) for name, variants in WIDTHS.items() for of in variants
+    ]
     title = f"other widths, seed {seed}"
     return slow.usable([row for _, row in each(front_of_width, points, title)])
 

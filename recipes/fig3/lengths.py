@@ -88,11 +88,14 @@ def by_stiffness(fronts, way):
     ratios = [math.sqrt(KAPPA / kappa) for kappa in KAPPAS]
     l_0 = [of.l_0[way] for of in fronts]
     known = [(ratio, of) for ratio, of in zip(ratios, l_0) if of is not None]
-    logs = np.log(known).T if len(known) > 1 else None
+    steps, exponent = np.array([np.nan]), np.nan
+    if len(known) > 1:
+        ratio, length = np.log(known).T
+        steps, exponent = np.diff(length), np.polyfit(ratio, length, 1)[0]
     return {
         "k/k_i over the reference's": ratios,
         "l_0 [mm]": [of and 1e3 * of for of in l_0],
         "slow fronts": len(known),
-        "each longer than the one before": logs is not None and np.diff(logs[1]).min() > 0,
-        "exponent": np.nan if logs is None else np.polyfit(*logs, 1)[0],
+        "each longer than the one before": min(steps) > 0,
+        "exponent": exponent,
     }

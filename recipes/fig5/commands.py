@@ -1,4 +1,4 @@
-"""Figure 5: the driving stops during event I, and quasi-static fronts of a slider driven at h = 0."""
+"""Figure 5: the driving stops during event I; quasi-static fronts of a slider driven at h = 0."""
 
 from functools import cache
 from types import SimpleNamespace

@@ -36,7 +36,7 @@ def draw(records, fronts, t_stop, stem):
     t_zero, window = window_of(fronts[0])
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], records, t_zero, t_stop)
-    quasistatic.draw_pinned(fig, axes[1], *records, t_zero)
+    quasistatic.draw_pinned(fig, axes[1], records[0], records[1], t_zero)
     draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].set(ylim=window)
     letter(axes[0], "A")

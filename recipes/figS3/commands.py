@@ -99,9 +99,7 @@ def trigger():
 
 
 def each_interface():
-    return Samples(
-        {f"tau_bar_0 {t:g}, sigma_bar {s:g}": of for (t, s), of in interfaces().items()}
-    )
+    return Samples({f"tau_bar_0 {t:g}, sigma_bar {s:g}": of for (t, s), of in interfaces().items()})
 
 
 def front(of, _):

@@ -34,7 +34,7 @@ def early_branches():
 def beginning(of, way):
     """S4-begin: blocks that had ruptured when the event was changed do not count."""
     front, wider = of.fronts[way], of.wider[way]
-    x, before, after = map(np.array, (front.x, values(front.t_rupture), values(wider.t_rupture)))
+    x, before, after = map(values, (front.x, front.t_rupture, wider.t_rupture))
     since = 0 if of.block is None else before[of.block]
     apart = np.abs(after - before)[(x < REGION * front.L) & (before > since)]
     largest = apart.max() if len(apart) else np.nan

@@ -21,7 +21,7 @@ TAU_BARS, SIGMA_BARS = spaced(-0.28, 0.48, 0.04), spaced(0, 0.285, 0.015)
 
 @cache
 def event():
-    """The first event that is fast-slow-fast in words: as it is, and with doubled slipping times."""
+    """The first that is fast-slow-fast in words: as it is, and with doubled slipping times."""
     first = next(one for one in shown_events(LAW)[PRIMARY] if one.fast_slow_fast)
     start = events.before(shown_load(LAW), first, [events.BRANCHED, *events.TIMES])
     doubled = events.slip_times(4e-3)

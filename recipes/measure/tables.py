@@ -1,7 +1,6 @@
 """CSV tables with one line of names, which figures write and read again; columns of rows."""
 
 import csv
-from pathlib import Path
 
 import numpy as np
 

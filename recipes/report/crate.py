@@ -21,7 +21,8 @@ from measure.tables import read_table
 from reproduce.written import take
 from rupture.errors import Failure
 from rupture.replacing import write_whole
-from report.origin import Accounts, builds, checksums, version_of
+from claims.released import version_of
+from report.origin import Accounts, builds, checksums
 from claims.recipes import read_readme, recipe_names
 
 CITATION = Path(__file__).resolve().parents[2] / "CITATION.cff"

@@ -5,7 +5,9 @@ import re
 from collections import Counter
 
 from claims.claim import DOES_NOT_HOLD, HOLDS
-from claims.judge import PRIMARY, needed, row_of
+from claims.judge import needed
+from claims.table import row_of
+from measure.conventions import PRIMARY
 from claims.recipes import label
 from rupture.figures import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 

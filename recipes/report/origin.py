@@ -71,12 +71,6 @@ def written_by(path):
         return "unknown (no provenance)"
 
 
-def version_of(build):
-    """The version in a text of written_by(); None if it is not known."""
-    found = re.match(r"rupture ([^,]+), ", build)
-    return found and found[1]
-
-
 def builds(root, files):
     """How many of the checkpoints and records each build has written."""
     paths = [root / name for name in sorted(files) if re.fullmatch(r"results/.*\.h5", name)]

@@ -12,9 +12,9 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.caption import as_html, filled, of_files, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_results
-from claims.judge import read, table
+from claims.table import read, table
 from claims.own_result import read_own
-from claims.released import released
+from claims.released import released, version_of
 from rupture.replacing import write_whole
 from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
@@ -194,7 +194,7 @@ def main(folder="."):
             own = [result for recipe in content["recipes"] for result in recipe.own]
             claims = [claim for _, claim in content["rows"]]
             main_build = next((build for build, _ in content["builds"]), "")  # of most records
-            version = origin.version_of(main_build)
+            version = version_of(main_build)
             update_readme(root, claims, own, content["numbers"], version)
         for paper in papers:
             print(f"Report: {results / paper / 'index.html'}", flush=True)

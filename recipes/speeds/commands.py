@@ -1,4 +1,4 @@
-"""Speeds of slip and of fronts on prepared interfaces, and how unevenly the blocks of loads slip."""
+"""Speeds of slip and of fronts on prepared interfaces; how unevenly the blocks of loads slip."""
 
 from functools import cache
 from itertools import product
@@ -56,9 +56,9 @@ def front_of(variant, parameters):
     large to keep."""
     words = (option(*of) for of in parameters.items())
     start = run(f"prepare {' '.join(words)} -o start.h5")["start.h5"]
-    record = run(
-        f"restart {start} -o end.h5 --until-quiet --record record.h5 --record-every 1e-6"
-    )["record.h5"]
+    record = run(f"restart {start} -o end.h5 --until-quiet --record record.h5 --record-every 1e-6")[
+        "record.h5"
+    ]
     front = run(f"analyze front {record}")
     slips = [run(f"analyze slip {record} --x {x}") for x in PLACES]
     return {"variant": variant, **parameters}, front, slips
