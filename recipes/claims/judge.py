@@ -13,7 +13,6 @@ from claims.claim import Claim, Share, plural, split_unit
 from claims.conditions import as_read, met, wanted
 from claims.recipes import function_of
 from claims.resampling import interval_by_runs
-from claims.samples import Samples
 from claims.table import rows_of, ways_of
 from measure.conventions import PRIMARY
 from rupture.errors import Failure
@@ -253,12 +252,11 @@ def function(row, key):
 
 
 def judge(recipe):
-    """All claims of a recipe. A row without samples measures one state."""
+    """All claims of a recipe."""
     claims, known = [], {}  # samples by name
     for row in rows_of(recipe):
-        measured, name = function(row, "measured"), row.get("samples")
-        if name and name not in known:
-            known[name] = function(row, "samples")()
-        samples = known[name] if name else Samples({"": None})
-        claims.append(judged(row, measured if name else lambda *_, of=measured: of(), samples))
+        measured, samples = function(row, "measured"), function(row, "samples")
+        if samples not in known:
+            known[samples] = samples()
+        claims.append(judged(row, measured, known[samples]))
     return claims

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 from rupture.once import each, run
 
+from claims.samples import Samples
 from events import shipped
 
 SLIP = "over_f_slip_per_k_ij"
@@ -31,22 +32,24 @@ def net_slip(estimate):
     return estimate[f"net_slip_{SLIP}"]
 
 
-def slip():
+def both():
+    return Samples({"": estimates()})
+
+
+def slip(of, _):
     """SI-slip"""
-    reference = estimates().reference
     return {
-        "net slip [f_slip/k_ij]": net_slip(reference),
-        "net slip without re-breaking [f_slip/k_ij]": net_slip(estimates().unbreakable),
-        "slip until 2<t_R> [f_slip/k_ij]": reference[f"slip_after_two_t_R_{SLIP}"],
-        "none slips any more after [<t_R>]": reference.quiet_after_over_t_R,
+        "net slip [f_slip/k_ij]": net_slip(of.reference),
+        "net slip without re-breaking [f_slip/k_ij]": net_slip(of.unbreakable),
+        "slip until 2<t_R> [f_slip/k_ij]": of.reference[f"slip_after_two_t_R_{SLIP}"],
+        "none slips any more after [<t_R>]": of.reference.quiet_after_over_t_R,
     }
 
 
-def duration():
+def duration(of, _):
     """SI-time"""
-    reference = estimates().reference
     return {
-        "all junctions have been pinned once after [<t_R>]": reference.duration_over_t_R,
-        "with standard deviation [<t_R>]": reference.duration_over_t_R_deviation,
-        "slip until then [f_slip/k_ij]": reference[f"slip_at_return_{SLIP}"],
+        "all junctions have been pinned once after [<t_R>]": of.reference.duration_over_t_R,
+        "with standard deviation [<t_R>]": of.reference.duration_over_t_R_deviation,
+        "slip until then [f_slip/k_ij]": of.reference[f"slip_at_return_{SLIP}"],
     }

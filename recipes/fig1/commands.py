@@ -101,9 +101,12 @@ def peak(of, way):
     }
 
 
-def law():
+def junctions():
+    return Samples({"": measured(law_of_pulled, *pulled())})
+
+
+def law(found, _):
     """1F"""
-    found = measured(law_of_pulled, *pulled())
     return {
         "junctions, breaks, repinnings": [found.junctions, found.breaks, found.repinnings],
         "largest deviation": found.deviation,
@@ -113,11 +116,14 @@ def law():
     }
 
 
-def steady_friction():
+def both_ranges():
+    return Samples({"": steady()})
+
+
+def steady_friction(of, _):
     """1G"""
-    found, limits = steady().range, steady().limits
-    mu = np.array(found.mu)
-    off_limits = np.abs(np.array(limits.mu) / [0.4 / 2, 0.17] - 1)
+    found, mu = of.range, np.array(of.range.mu)
+    off_limits = np.abs(np.array(of.limits.mu) / [0.4 / 2, 0.17] - 1)
     return {
         "tau/p at 0.1 mm/s and 1 m/s": [found.mu[0], found.mu[-1]],
         "largest change to the next speed": np.diff(mu).max(),

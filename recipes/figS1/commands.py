@@ -7,6 +7,7 @@ import numpy as np
 import rupture
 from rupture.once import measured, run
 
+from claims.samples import Samples
 from events import shipped
 
 
@@ -38,10 +39,14 @@ def states():
     )
 
 
-def symmetry():
+def both_states():
+    return Samples({"": states()})
+
+
+def symmetry(of, _):
     """S1: how far p is from symmetric and tau from antisymmetric where the slider rests; by how
     much the centroid of p moves until event I, over F_T h/F_N."""
-    unloaded, before, h = states().unloaded, states().before, states().h
+    unloaded, before = of.unloaded, of.before
     shift = before.centroid() - unloaded.centroid()
     asymmetry = np.abs(unloaded.p - unloaded.p[::-1]).max()
     symmetric = np.abs(unloaded.tau + unloaded.tau[::-1]).max()
@@ -49,6 +54,6 @@ def symmetry():
         "asymmetry of p/mean p": asymmetry / unloaded.p.mean(),
         "symmetric part of tau/largest tau": symmetric / np.abs(unloaded.tau).max(),
         "|sum p/F_N - 1|": abs(unloaded.p.sum() / unloaded.F_N - 1),
-        "their difference [%]": (shift / (before.F_T * h / before.F_N) - 1) * 100,
+        "their difference [%]": (shift / (before.F_T * of.h / before.F_N) - 1) * 100,
         "shift of the centroid of p [mm]": shift * 1e3,
     }

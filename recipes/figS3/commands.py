@@ -71,9 +71,13 @@ def deviations(of):
     }
 
 
-def prestress():
+def all_interfaces():
+    return Samples({"": [*interfaces().values()]})
+
+
+def prestress(interfaces, _):
     """S3"""
-    found = [deviations(of) for of in interfaces().values()]
+    found = [deviations(of) for of in interfaces]
     largest = {name: max(of[name] for of in found) for name in found[0]}
     return {
         "prepared interfaces": len(found),
@@ -89,9 +93,9 @@ def force_drop(of):
     return float(before - after)
 
 
-def trigger():
+def trigger(interfaces, _):
     """S3-trigger"""
-    drops = [force_drop(of) for of in interfaces().values()]
+    drops = [force_drop(of) for of in interfaces]
     return {
         "force drop [N]": drops[0],
         "largest relative difference": max(drops) / min(drops) - 1,

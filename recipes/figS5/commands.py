@@ -6,6 +6,7 @@ from functools import cache
 import numpy as np
 from rupture.once import each, run
 
+from claims.samples import Samples
 from figS5.quadrature import largest_mean_force, uniform_closed_form
 
 SHAPES = ("uniform", "bell")
@@ -32,9 +33,13 @@ def strengths():
     return [Strength(shape) for shape in SHAPES]
 
 
-def deviation():
+def both_shapes():
+    return Samples({"": strengths()})
+
+
+def deviation(strengths, _):
     """S5: from a closed form and from quadrature, which are independent of the tool."""
-    uniform, bell = strengths()
+    uniform, bell = strengths
     closed = np.array([uniform_closed_form(sigma_bar) for sigma_bar in uniform.sigma_bar])
     found = {
         "uniform - closed form": np.abs(uniform.mu_bar - closed).max(),
@@ -42,7 +47,7 @@ def deviation():
         "bell - quadrature": np.abs(bell.mu_bar - bell.quadrature).max(),
     }
     return {
-        "falls from each to the next": all(np.all(np.diff(of.mu_bar) < 0) for of in strengths()),
+        "falls from each to the next": all(np.all(np.diff(of.mu_bar) < 0) for of in strengths),
         "largest deviation of mu-bar": max(found.values()),
         **{f"mu-bar, largest |{name}|": of for name, of in found.items()},
     }
