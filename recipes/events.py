@@ -200,9 +200,9 @@ def slip_times(t_R):
     return f"--set junctions.t_R={t_R} --set junctions.delta_t_R={0.3 * t_R:g}"
 
 
+NO_SLOW_SLIP = "--set junctions.f_new=f_slip"
 CHANGES = {
     "stopped": "",
-    "no_slow_slip": "--set junctions.f_new=f_slip",
     "half": slip_times(1e-3),
     "double": slip_times(4e-3),
 }
@@ -216,11 +216,13 @@ def branch_of(start, front, block, lasting):
     branch = run(f"restart {start} -o branch.h5 --until-rupture-at {x} --for {lasting}")
     branch = branch["branch.h5"]
 
-    def record_with(change):
-        changed = f"--set driving.V=0 {change} --for {lasting}"
+    def record_with(change, end=f"--for {lasting}"):
+        changed = f"--set driving.V=0 {change} {end}"
         return run(f"restart {branch} -o end.h5 {changed} {FINEST}")["record.h5"]
 
     records = {name: record_with(change) for name, change in CHANGES.items()}
+    until_arrest = f"--for {lasting + 0.03} --until-quiet"  # where it arrests shows when it is over
+    records["no_slow_slip"] = record_with(NO_SLOW_SLIP, until_arrest)
     wider = widened(branch, lasting)
 
     def front_in(record):

@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 BUILD = Path(os.environ.get("RUPTURE_BUILD", ROOT / "build/release"))
 BIN = BUILD / "bin"
 SMALL = ROOT / "tests/golden/small.ini"
+SHARED = "/tmp"  # where every user can enter new folders, unlike in pytest's, or perhaps in $TMPDIR
 ODD = 'Jørgen\'s "copy" (v2) {new}'  # a name of a folder
 SKIPPED = 77  # as ctest knows it
 approx = functools.partial(pytest.approx, rel=0, abs=5e-8)
@@ -109,7 +110,7 @@ def small_ini(monkeypatch):
     a slider of 9 x 5 blocks that is driven so fast that a rupture crosses it from t = 0.15 ms to
     0.25 ms."""
     slider = "[slider]\nNx = 9\nNz = 5\nH = 0.07\n[driving]\nh = 0.0175\nV = 1\n"
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(dir=SHARED) as folder:
         monkeypatch.chdir(folder)
         Path("small.ini").write_text(slider)
         yield

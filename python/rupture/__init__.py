@@ -20,6 +20,10 @@ if TYPE_CHECKING:
 __all__ = ["Checkpoint", "Failure", "File", "Record", "Result", "analyze", "open", "run", "verify"]
 
 
+def __dir__():
+    return [*__all__, "__version__"]
+
+
 def __getattr__(name):
     """`rupture.__version__` is that of the programs; h5py is imported only when it is needed."""
     if name == "__version__":

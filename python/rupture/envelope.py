@@ -32,18 +32,21 @@ def mapped(path):
     try:
         if not os.fspath(path):
             raise Failure(f"the name of an input is empty; {WANTED}")
-        mode = os.stat(path).st_mode  # before it is opened: a pipe would wait for its other end
+        about = os.stat(path)  # before it is opened: a pipe would wait for its other end
+        mode = about.st_mode
         if stat.S_ISDIR(mode):
             raise Failure(f"{path} is a folder; {WANTED}")
         if not stat.S_ISREG(mode):
             raise Failure(f"{path} is not a regular file; {WANTED}")
+        if not about.st_size:
+            raise Failure(f"{path} is empty; expected a checkpoint or record")
         with open(path, "rb") as file:
             return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
     except (FileNotFoundError, NotADirectoryError):
         part = f" yet, but {path}.part does" if os.path.exists(f"{path}.part") else ""
         raise Failure(f"{path} does not exist{part}; {WANTED}") from None
-    except ValueError:
-        raise Failure(f"{path} is empty; expected a checkpoint or record") from None
+    except (TypeError, ValueError) as error:
+        raise Failure(f"{path!r} is not the name of a file: {error}; {WANTED}") from None
     except OSError as error:
         hint = "check the permissions of the file and its folder"
         raise Failure(f"cannot read {path}: {error.strerror}; {hint}") from None

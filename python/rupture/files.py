@@ -7,6 +7,7 @@ The examples use a checkpoint and a record of a small slider:
 
 import difflib
 import io
+import os
 from collections import namedtuple
 from collections.abc import Mapping
 from contextlib import contextmanager
@@ -20,15 +21,29 @@ from rupture import tables
 from rupture.elasticity import POISSON
 from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, joined, mapped
 from rupture.errors import Failure, NoSuchName
-from rupture.layout import Content
+from rupture.layout import WORDS, Content
 from rupture.tables import text
 
 Ruptures = namedtuple("Ruptures", "time step block x")
 
 
 def plain(value):
-    """A parameter as a Python object: a list where it varies along x."""
+    """A number or a text as a Python object; a list of an array."""
     return text(value) if isinstance(value, bytes) else value.tolist()
+
+
+def no_such_name(where, name, known, listed):
+    """NoSuchName, with the most similar of the known names, or those that are listed."""
+    near = difflib.get_close_matches(f"{name}", known, 1)
+    hint = f"; did you mean {near[0]}?" if near else f"; it has {', '.join(listed)}"
+    return NoSuchName(f"{where} has no {name}{hint}")
+
+
+class Parameters(dict):
+    """Parameters by name. Its KeyErrors are Failures, too."""
+
+    def __missing__(self, name):
+        raise no_such_name("the file", name, self, self)
 
 
 @contextmanager
@@ -53,7 +68,7 @@ class File(Mapping):
     dimensions: dict  # names of the dimensions, by group
 
     def __init__(self, path, file, content):
-        self.path = Path(path)
+        self.path = Path(os.fsdecode(path))
         self.opened = file
         self.content = content  # the datasets
         content.check(self)
@@ -75,18 +90,20 @@ class File(Mapping):
         return self.opened
 
     def __repr__(self):
-        names = ", ".join(self) if self.opened else "closed"
-        return f"<rupture.{type(self).__name__} {str(self.path)!r}: {names}>"
+        name = f"<rupture.{type(self).__name__} {str(self.path)!r}:"
+        if not self.opened:
+            return f"{name} closed>"
+        shapes = {one: " x ".join(map(str, self.dataset(one).shape)) or "-" for one in self}
+        rows = [f"{one:23} {shape:12} {self.units(one)}" for one, shape in shapes.items()]
+        return "\n  ".join([name, *rows]) + ">"
 
     def dataset(self, name):
         """The h5py.Dataset of a name, a path or, if there is a dot in it, a parameter."""
-        name = name.lstrip("/")
+        name = f"{name}".lstrip("/")
         for path in (f"/{self.home}/{name}", f"/{name}", f"/parameters/{name.replace('.', '/')}"):
             if path in self.content:
                 return self.file[path]
-        near = difflib.get_close_matches(name, [*self, *self.parameters], 1)
-        hint = f"; did you mean {near[0]}?" if near else f"; it has {', '.join(self)}"
-        raise NoSuchName(f"{self.path} has no {name}{hint}")
+        raise no_such_name(self.path, name, [*self, *self.parameters], self)
 
     def __getitem__(self, name):
         """The array of this name in SI units, such as "u_x"; a number where it is one.
@@ -129,14 +146,20 @@ class File(Mapping):
 
     @cached_property
     def parameters(self):
-        """All parameters by name, in SI units.
+        """All parameters by name, in SI units; a list with the value of each block where one varies
+        along x. `rupture.run(set=...)` takes them.
 
         >>> record.parameters["slider.L"], record.parameters["junctions.law"]
         (0.14, 'reference')
         """
         paths = [path for path in self.content if path.startswith("/parameters/")]
-        values = {path: plain(self.value_of(self.file[path])) for path in paths}
-        return {path[12:].replace("/", "."): value for path, value in values.items()}
+        values = {
+            path[12:].replace("/", "."): plain(self.value_of(self.file[path])) for path in paths
+        }
+        for name in WORDS.keys() & values:
+            if isinstance(values[name], list):
+                values[name] = [WORDS[name][number] for number in values[name]]
+        return Parameters(values)
 
     @cached_property
     def sizes(self):
@@ -215,7 +238,11 @@ class Checkpoint(File):
     [Nx][S].
 
     >>> checkpoint
-    <rupture.Checkpoint 'small.h5': drive/origin_position, ...>
+    <rupture.Checkpoint 'small.h5':
+      drive/origin_position   -            m
+      ...
+      u_x                     9 x 17       m
+      ...
     """
 
     home = "state"

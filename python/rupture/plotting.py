@@ -41,6 +41,7 @@ STYLE = {
 }
 
 RUPTURED = 0.3  # pinned fraction below which a block counts as ruptured
+PINNED_AGAIN = 0.5  # pinned fraction above which a ruptured block no longer belongs to the front
 ROWS = 1500  # of an image: more than can be told apart
 ABOVE = "0.7"  # colour of front speeds above c_s
 MILLISECONDS = 1e3
@@ -100,16 +101,19 @@ def draw_image(axes, record, values, rows, t_zero, **look):
     return axes.pcolormesh(x, time, values, shading="nearest", rasterized=True, **look)
 
 
-def draw_pinned(axes, record, t_zero, window, line=True):
+def draw_pinned(axes, record, t_zero, window, line=True, ruptured=False):
     """Map of the pinned fraction, with the line along which blocks rupture first. (Where a block
-    is pinned again and ruptures once more, that is no front.) `window` is the time shown [ms after
-    t_zero]. Returns the image."""
+    is pinned again and ruptures once more, that is no front, nor does the line go on beside it.)
+    `window` is the time shown [ms after t_zero]; blocks that had `ruptured` before it have no line.
+    Returns the image."""
     rows = rows_in(record, t_zero, window)
     fraction = record.pinned_fraction[rows]
     image = draw_image(axes, record, fraction, rows, t_zero, cmap=MAP, vmin=0, vmax=1)
     x, time = record.x / record.x[-1], (record.time[rows] - t_zero) * MILLISECONDS
     lowest = np.minimum.accumulate(fraction)
     if line and lowest.min() < RUPTURED < lowest.max():
+        is_again = (lowest < RUPTURED) & (fraction > PINNED_AGAIN)
+        lowest = np.ma.masked_where(is_again | np.asarray(ruptured), lowest)
         axes.contour(x, time, lowest, levels=[RUPTURED], colors="white", linewidths=0.8)
     axes.set(ylim=window)
     return image

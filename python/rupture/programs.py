@@ -2,9 +2,12 @@
 
 import json
 import os
+import re
 import shutil
+import signal
 import subprocess
-from contextlib import suppress
+import threading
+from contextlib import contextmanager, suppress
 from functools import cached_property
 from glob import escape
 from pathlib import Path
@@ -14,7 +17,7 @@ from rupture.errors import Failure, MachineFailure, UsageError
 
 PACKAGE = Path(__file__).resolve().parent
 
-DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint, and have no --quiet
+DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint
 
 
 def own_folder():
@@ -50,24 +53,68 @@ def words(value):
 
 def options_of(options):
     """Keyword arguments as options: `until_quiet=0.01` is --until-quiet 0.01, `for_=0.02` is
-    --for 0.02, True a flag; False and None are left out."""
+    --for 0.02, True a flag; False and None are left out. Several values are one word, such as
+    0.2,0.5, but of --checkpoint-at."""
     for name, value in options.items():
         if value is None or value is False:
             continue
         yield "--" + name.rstrip("_").replace("_", "-")
-        yield from [] if value is True else words(value)
+        if value is not True:
+            yield from words(value) if name == "checkpoint_at" else [",".join(words(value))]
+
+
+def settings_of(parameters):
+    """--set for each of these: one value, a list or an array with that of each block, or a list of
+    parts, such as "0.5 from 70mm to 84mm", of which each changes what those before it left."""
+    try:
+        parameters = dict(parameters)
+    except (TypeError, ValueError):
+        wanted = "a dict, such as {'driving.V': 0}"
+        raise UsageError(f"set must be {wanted} (got {parameters!r})") from None
+    for name, value in parameters.items():
+        has_parts = isinstance(value, (list, tuple)) and any(" from " in f"{one}" for one in value)
+        for part in value if has_parts else [value]:
+            yield from ("--set", f"{name}={','.join(words(part))}")
+
+
+@contextmanager
+def passing_on_interruptions(process):
+    """Ctrl-C within goes to the process, which may be in another group, instead of ending us. (One
+    from a terminal reaches it twice at once; a run takes this for one.) Yields a list, which is not
+    empty once it came."""
+    came: list = []
+    is_main = threading.current_thread() is threading.main_thread()
+    is_default = is_main and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    if is_default:
+        signal.signal(signal.SIGINT, lambda *_: came.append(process.send_signal(signal.SIGINT)))
+    try:
+        yield came
+    finally:
+        if is_default:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def output_of(program, *arguments):
     """Runs a program and returns its standard output. Raises Failure with its sentence if it
-    failed, UsageError if it was asked for something impossible. That files differ is a result."""
+    failed, UsageError if it was asked for something impossible, KeyboardInterrupt after Ctrl-C.
+    That files differ is a result."""
     command = [path_of(program)] + [word for given in arguments for word in words(given)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    differs = done.returncode == 1 and done.stdout and not done.stderr
-    if done.returncode and not differs:
-        said = done.stderr.strip().splitlines()[-1:] or [f"{program} ended with {done.returncode}"]
-        raise {2: UsageError, 3: MachineFailure}.get(done.returncode, Failure)(said[0])
-    return done.stdout
+    streams: dict = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
+    try:
+        process = subprocess.Popen(command, errors="surrogateescape", **streams)
+    except (OSError, ValueError) as error:
+        hint = "check its options, and give very many values with --profile"
+        raise Failure(f"{program} cannot be started: {error}; {hint}") from None
+    with process, passing_on_interruptions(process) as came:
+        output, errors = process.communicate()
+    code, lines = process.returncode, errors.strip().splitlines()
+    said = lines[-1] if lines else f"{program} ended with {code}"
+    said = re.sub("; to continue: .*", "; with resume=True it goes on from there", said)
+    if came:
+        raise KeyboardInterrupt(said)
+    if code and not (code == 1 and output and not errors):
+        raise {2: UsageError, 3: MachineFailure}.get(code, Failure)(said)
+    return output
 
 
 class Result:
@@ -78,7 +125,9 @@ class Result:
         self.record_file = Path(record) if record else None
 
     def __repr__(self):
-        return f"<rupture.Result {str(self.output)!r} {self.checksum[:8]}>"
+        with suppress(Failure):
+            return f"<rupture.Result {str(self.output)!r} {self.checksum[:8]}>"
+        return f"<rupture.Result {str(self.output)!r}: not there>"
 
     @cached_property
     def checkpoint(self):
@@ -113,28 +162,34 @@ def run(program, *inputs, output, record=None, set=(), **options):
     `movie` or `xdmf`, and returns the path of what it drew.
 
     Inputs are paths or opened files. Options have the names of the command line with
-    _ for -, and SI units; `set` changes parameters by their names.
+    _ for -, and SI units. `set` changes parameters by their names: to one value, to a list or an
+    array with the value of each block, or to a list of parts. It takes what `parameters` returns.
+    After Ctrl-C, a KeyboardInterrupt names the checkpoint that was saved; `resume=True` goes on.
 
     >>> after = rupture.run("restart", "small.h5", output="after.h5", record="after-record.h5",
     ...                     set={"driving.V": 0}, record_every=1e-5, for_=1e-3, force=True)
     >>> after.checkpoint.time, after.record.parameters["driving.V"], len(after.record.time)
     (0.003, 0.0, 101)
     """
-    settings = [word for name, value in dict(set).items() for word in ("--set", f"{name}={value}")]
-    files = {"output": output, "record": record}
-    options = {"quiet": program not in DRAWING, **options, **files}
-    output_of(program, *settings, *options_of(options), *(inputs and ("--", *inputs)))
+    options = {"quiet": True, **options, "output": output, "record": record}
+    output_of(program, *settings_of(set), *options_of(options), *(inputs and ("--", *inputs)))
     return Path(output) if program in DRAWING else Result(output, record)
 
 
 def analyze(command, *inputs, **options):
-    """The report of `analyze COMMAND` as a dict, in SI units; None where there is no value.
+    """The report of `analyze COMMAND` as a dict, in SI units; None where there is no value. With
+    `also`, a list of such reports.
 
     >>> rupture.analyze("events", "small-record.h5")["events"][0]["type"]
     'fast'
     """
-    options = {"json": True, **options}
-    return json.loads(output_of("analyze", command, *options_of(options), "--", *inputs))
+    options = options_of({**options, "json": True})
+    said = output_of("analyze", command, *options, "--", *inputs)
+    try:
+        reports = [json.loads(line) for line in said.strip().split("\n")]
+    except ValueError:  # that of --help
+        raise UsageError(f"analyze {command} prints no report with these options") from None
+    return reports[0] if len(reports) == 1 else reports
 
 
 def verify(path):

@@ -1,6 +1,7 @@
 """Numbers with units, as the programs read them. Mistakes are ValueErrors."""
 
 import re
+import unicodedata
 from functools import cache
 
 NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
@@ -8,6 +9,11 @@ PREFIXES = {"": 0, "G": 9, "M": 6, "k": 3, "m": -3, "u": -6, "µ": -6, "μ": -6,
 SYMBOLS = ("m", "s", "m/s", "g", "N", "N/m", "N/m^2", "Pa")
 UNIT = rf"([{''.join(PREFIXES)}]?)({'|'.join(map(re.escape, SYMBOLS))})"
 AMOUNT = re.compile(rf"([-+]?{NUMBER})\s*({UNIT})?")
+
+
+def one_name(text):
+    """The text with composed letters and one of the two micro signs, as others of the same look."""
+    return unicodedata.normalize("NFC", text).replace("\u03bc", "\u00b5")
 
 
 def amount(text):

@@ -13,9 +13,10 @@ from measure.conventions import SETS
 from chains.store import RESULTS, write_own
 from rupture.errors import Failure, UsageError
 from rupture.programs import DRAWING, output_of
+from rupture.units import one_name
 from reproduce.project import SHARE
 from chains.programs import PLAIN
-from chains.ini import check_known, errors_of, is_values, needs_of, new_ini
+from chains.ini import check_known, errors_of, existing, is_values, needs_of, new_ini
 from chains.values import is_expression, values_of
 
 RECIPES = SHARE / "recipes"
@@ -56,7 +57,7 @@ class Chain:
             raise UsageError(f"there is no chain {self.shown}; beside it are {beside or 'none'}")
         with errors_of(self.shown):
             ini = new_ini()
-            ini.read_string(self.path.read_text(encoding="utf-8-sig"), str(self.path))
+            ini.read_string(one_name(self.path.read_text(encoding="utf-8-sig")), str(self.path))
             self.own = {  # what goes on in an indented line is one text
                 name: {key: " ".join(text.splitlines()) for key, text in ini[name].items()}
                 for name in ini.sections()
@@ -67,7 +68,7 @@ class Chain:
         self.check_form("sweep" if is_sweep else "chain")
         self.sections = dict(self.own)
         if like := self.own.get("chain", {}).get("like"):
-            other = Chain(self.path.parent / like, (*read, self.path))
+            other = Chain(existing(self.path.parent / like), (*read, self.path))
             kinds = {name.partition(" ")[0] for name in self.own}
             for name, section in other.sections.items():
                 if name.partition(" ")[0] not in kinds:
@@ -141,7 +142,7 @@ class Chain:
     def table(self):
         """The file if its points are the rows of a table."""
         name = self.points["chain"]
-        return self.path.parent / name if name.endswith(".csv") else None
+        return existing(self.path.parent / name) if name.endswith(".csv") else None
 
     @cached_property
     def keep(self):
@@ -173,7 +174,7 @@ class Chain:
         """Where the file says it; 0 if another one does, which this one is like."""
         here = ""
         for number, line in enumerate(self.path.read_text(encoding="utf-8-sig").splitlines(), 1):
-            if found := re.match(r"\[(.*?)\]", line):
+            if found := re.match(r"\[(.*?)\]", line := one_name(line)):
                 here = "chain" if found[1] == "sweep" else found[1]
             elif here == section and re.match(rf"{re.escape(key)}\s*=", line):
                 return number

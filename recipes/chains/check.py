@@ -9,7 +9,7 @@ from chains.point import HOLE, without_time
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
 from chains.programs import check_expression, given_in
-from chains.ini import check_known, words_of
+from chains.ini import check_known, existing, words_of
 from chains.values import is_expression
 
 OWN = ("values", "base")  # holes that are no names
@@ -96,7 +96,7 @@ def check_base(chains, chain, names):
         if not re.fullmatch(r"[\d.]+", hole):
             check_expression(hole.removeprefix(LAST_BEFORE), names)
     if found["chain"]:
-        kept, path = chain, (chain.path.parent / f"{found['chain']}.ini").resolve()
+        kept, path = chain, existing(chain.path.parent / f"{found['chain']}.ini").resolve()
         while kept.path.resolve() != path:
             if not (kept := chains.above(kept)):
                 raise UsageError(f"its points do not come from {found['chain']}: see 'points'")

@@ -11,7 +11,7 @@ import re
 import statistics
 from functools import cache
 
-from rupture.units import in_si
+from rupture.units import in_si, one_name
 
 ARITHMETIC = {
     ast.Add: operator.add,
@@ -87,6 +87,9 @@ def parsed(text, names):
         plain = re.sub(alone, name.replace("-", MINUS), plain)
     try:
         tree = ast.parse(plain, mode="eval")
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Name):
+                node.id = one_name(node.id)
         found = sorted(set(names_in(tree)))
     except (SyntaxError, MemoryError, RecursionError, ValueError):
         raise ValueError(f"'{text}' cannot be read as an expression") from None

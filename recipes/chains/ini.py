@@ -9,12 +9,21 @@ from contextlib import contextmanager
 
 from chains.point import HOLE
 from rupture.errors import Failure, UsageError
+from rupture.units import one_name
 
 MEGABYTES = {"MB": 1, "GB": 1000}
 
 
 def is_values(section):
     return section == "values" or section.startswith("variant ")
+
+
+def existing(path):
+    """The file at this path, or at one of the same look."""
+    if path.exists() or not (folder := existing(path.parent)).is_dir():
+        return path
+    same = (one for one in folder.iterdir() if one_name(one.name) == one_name(path.name))
+    return next(same, path)
 
 
 def new_ini():

@@ -15,6 +15,7 @@ from pathlib import Path
 from chains.chain import ALL, BASE, kept_names, ways_in
 from chains.expressions import Expression, as_number, as_text, first_known
 from chains.digests import digest_of_tool
+from chains.ini import existing
 from chains.point import HOLE
 from chains.store import STORE, digest, is_current, origin_of, result_of, sources_of, tools_of
 from chains.values import is_expression
@@ -230,13 +231,13 @@ class Point:
             return None
         with self.chain.errors_at("chain", "base"):
             chain, name = BASE.findall(self.chain.keys["base"])[0]
-            path = Path(os.path.abspath(self.chain.path.parent / f"{chain}.ini"))
+            path = existing(Path(os.path.abspath(self.chain.path.parent / f"{chain}.ini")))
             for kept in self.lineage[1:]:
                 if chain and kept.chain.path == path:
                     name = self.kept_file(kept, name)
                     return {"file": str(kept.file(name)), "shown": name, "of": str(kept.path)}
             path = self.chain.path.parent / HOLE.sub(lambda hole: self.text(hole[1]), name)
-            file = self.chain.start_at(path)
+            file = self.chain.start_at(existing(path))
             return {"file": file, "shown": file, "of": ""}
 
     def kept_file(self, kept, text):

@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from chains.chain import RECIPES, Chain
+from chains.ini import existing
 from chains.points import Point, Waiting, each, those
 from chains.programs import Programs
 from chains.values import LIMIT, calculated, products, rows_in
@@ -32,7 +33,7 @@ class Chains:
         return [point for points in self.made.values() for point in points if point.decides]
 
     def load(self, path):
-        path = Path(os.path.abspath(path))
+        path = existing(Path(os.path.abspath(path)))
         if path not in self.chains:
             self.chains[path] = Chain(path)
             self.chains[path].among = self

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from chains.expressions import Expression, as_number
 from rupture.errors import UsageError
-from rupture.units import NUMBER, PREFIXES, UNIT, amount
+from rupture.units import NUMBER, PREFIXES, UNIT, amount, one_name
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 # A number without a unit before one with a unit, which may be that of both, or the comma a decimal
@@ -115,26 +115,42 @@ def values_of(text):
     return listed
 
 
+def table_in(path):
+    """{line: its cells} of a CSV table (docs/runs.md), without blanks around them, empty ones at
+    the end, comments and empty lines: as cells_of() of src/tools/cli/profile.cpp."""
+    found = {}
+    with open(path, encoding="utf-8-sig") as file:
+        for number, line in enumerate(file, 1):
+            plain = one_name(line.rstrip("\n").replace("\t", " "))
+            cells = [cell.strip(" ") for cell in next(csv.reader([plain], skipinitialspace=True))]
+            while cells and not cells[-1]:
+                cells.pop()
+            if cells and not cells[0].startswith("#"):
+                found[number] = cells
+    return found
+
+
 def rows_in(path):
     """The points of a table, each as lists of one value. The unit in a heading is that of its
     cells; in a table of results, values come before `status`."""
     if not Path(path).is_file():
         raise UsageError(f"there is no table of points {path}")
     try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            table = csv.DictReader(file, restkey="", skipinitialspace=True)
-            rows = {table.line_num: row for row in table}
-            names = table.fieldnames or []
+        table = table_in(path)
     except (UnicodeDecodeError, csv.Error):
         raise UsageError(f"{path} is not a CSV table in UTF-8") from None
-    columns = [(heading, *HEADING.findall(heading)[0][::2]) for heading in names]
-    if len({name for _, name, _ in columns}) < len(names) or "" in names:
+    headings = table.pop(min(table, default=0), [])
+    columns = [HEADING.findall(heading)[0][::2] for heading in headings]
+    if len({name for name, _ in columns} - {""}) < len(headings):
         raise UsageError(f"{path}: each column needs a heading of its own")
-    for number, row in rows.items():
-        if "" in row or None in row.values():
-            raise UsageError(f"{path}, line {number}: it needs as many cells as the first line")
-    values = columns[: [*names, "status"].index("status")]
-    return [{name: [row[at] + unit] for at, name, unit in values} for row in rows.values()]
+    values = columns[: [*headings, "status"].index("status")]
+    for number, row in table.items():
+        if len(row) > len(headings) or len(row) < len(values) or "" in row[: len(values)]:
+            sentence = "it needs as many cells as the first line, none of them empty"
+            raise UsageError(f"{path}, line {number}: {sentence}")
+    units = {name: "" if unit == "1" else unit.strip(" ") for name, unit in values}
+    rows = (zip(units.items(), row) for row in table.values())
+    return [{name: [cell + unit] for (name, unit), cell in row} for row in rows]
 
 
 def products(lists, rows):

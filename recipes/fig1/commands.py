@@ -71,10 +71,11 @@ def each_run():
 
 def drops(events, way):
     """1D"""
-    first = min((e.t_start for e in events[way] if e.spanning), default=np.inf)
-    early = [e for e in events[way] if e.t_start < first]
-    largest = max(e.F_T_before - e.F_T_after for e in events[way])
-    large = [e for e in events[way] if e.F_T_before - e.F_T_after >= largest / 2]
+    over = [e for e in events[way] if e.is_over]
+    first = min((e.t_start for e in over if e.spanning), default=np.inf)
+    early = [e for e in over if e.t_start < first]
+    largest = max(e.F_T_before - e.F_T_after for e in over)
+    large = [e for e in over if e.F_T_before - e.F_T_after >= largest / 2]
     return {
         "early events that reach the leading edge": sum(e.t_rupture[-1] is not None for e in early),
         "large drops by other events": sum(not e.spanning for e in large),

@@ -38,7 +38,7 @@ SYMBOL = re.compile(
     re.VERBOSE,
 )
 MATH = r"<math>(?:(?!</math>).)*</math>"
-UNITS = "%|[mcnµu]?[ms]|[kM]?N|[GM]?Pa|L|m?m/s"
+UNITS = "%|[mcnµμu]?[ms]|[kM]?N|[GM]?Pa|L|m?m/s"
 SIGN = "(?:[=≤≥≈]|&[lg]t;)"
 BEFORE_UNIT = rf"(?<=[\d\]])\s(?=(?:{UNITS})(?!\w))"
 UNBROKEN = re.compile(  # x = 2 cm

@@ -88,7 +88,8 @@ def programs_at(text):
 def make_parser():
     parser = Parser()
     add = parser.add_argument
-    add("words", nargs="*")
+    text = "figures, or one of the commands below; behind sweep its file"
+    add("words", metavar="COMMAND", nargs="*", help=text)
     text = (
         "compute nothing; print the commands of all points; for a sweep, the number of points and"
         " the commands of the first"

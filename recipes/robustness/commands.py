@@ -128,6 +128,6 @@ def distance_bands():
 def distance_event():
     """Event I from 0.14 L on: its front as it is, and with the distance law."""
     of = continued("event I")
-    changed = "--set junctions.law=distance --for 0.01"
+    changed = "--set junctions.law=distance --for 0.04 --until-quiet"
     record = run(f"restart {of.start} -o distance.h5 {changed} {FINE}")["record.h5"]
     return of.fronts[PRIMARY], run(f"analyze front {record} --event 0")

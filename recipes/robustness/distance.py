@@ -15,12 +15,13 @@ TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
 
 
 def measured_event(unmodified, continued):
-    arrest, L = continued["x_arrest"], continued["L"]
+    L = continued["L"]
+    reaches = continued["x_arrest"] if continued["type"] == "arrested" else L
     return {
         "event under the reference law": unmodified["type"],
         "its slow stretch from [L]": unmodified["slow"]["x_from"] / unmodified["L"],
         "the same under the distance law": continued["type"],
-        "which reaches [L]": (L if arrest is None else arrest) / L,
+        "which reaches [L]": reaches / L,
     }
 
 

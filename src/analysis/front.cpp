@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "rupture/analysis/statistics.hpp"
@@ -9,9 +10,6 @@
 
 namespace rupture {
 namespace {
-
-/// How many stencils of what the paper calls slow make a stretch.
-constexpr std::size_t kStencilsInWords = 3;
 
 /// When the front is at each block if it starts at block `from`.
 FirstRuptures times_from(const FirstRuptures& t_rupture, std::size_t from) {
@@ -106,7 +104,7 @@ std::optional<SlowStretch> longest(const Front& front, double limit) {
   std::optional<SlowStretch> longest;
   for (const Stretch& stretch : slow_stretches(front, limit)) {
     const auto slow = describe(front, stretch);
-    if (!longest || slow.duration() > longest->duration()) longest = slow;
+    if (!longest || slow.t_to - slow.t_from > longest->t_to - longest->t_from) longest = slow;
   }
   return longest;
 }
@@ -121,10 +119,42 @@ std::size_t stencils_between(double from, double to, const Front& front) {
 }
 
 /// Whether a front that spans is fast, slow, and fast again.
-bool is_fast_slow_fast(const Front& front, double limit) {
+Answer is_fast_slow_fast(const Front& front, double limit) {
   const auto& slow = front.in_words;
-  return slow && slow->stencils >= kStencilsInWords && slow->fast_before.value_or(0.0) >= limit &&
-         slow->fast_after.value_or(0.0) >= limit;
+  if (!slow || slow->stencils < kStencilsInWords) return Answer::no;
+  if (slow->fast_after.value_or(0.0) < limit) return Answer::no;
+  if (!slow->fast_before && front.line.ruptured_before() > 0) return Answer::unknown;
+  return slow->fast_before.value_or(0.0) >= limit ? Answer::yes : Answer::no;
+}
+
+/// The first rupture of each block in the event, before the window or in it.
+FirstRuptures whole_event(const RuptureLine& line) {
+  FirstRuptures first = line.t_rupture;
+  for (std::size_t i = 0; i < line.before.size(); ++i) {
+    if (line.before[i]) first[i] = line.before[i];
+  }
+  return first;
+}
+
+bool is_empty(const FirstRuptures& first) {
+  return std::ranges::none_of(first, [](const auto& t) { return t.has_value(); });
+}
+
+/// The furthest block that ruptured [m].
+std::optional<double> furthest(const std::vector<double>& x, const FirstRuptures& first) {
+  for (std::size_t i = x.size(); i-- > 0;) {
+    if (first[i]) return x[i];
+  }
+  return std::nullopt;
+}
+
+/// Leaves only what is in the window: times after those of the latest block that had ruptured
+/// before it.
+void forget_before(const FirstRuptures& before, FirstRuptures& times) {
+  const auto latest = before.empty() ? std::nullopt : std::ranges::max(before);
+  for (auto& t : times) {
+    if (t <= latest) t.reset();
+  }
 }
 
 /// Driving force at the last sample not after t; the first sample if all are later.
@@ -144,15 +174,20 @@ double smallest_force(const LoadingCurve& loading, double from, double to) {
   return smallest;
 }
 
+/// An event with ruptures in the window.
 Event describe(const Parameters& p, std::span<const Rupture> ruptures, const LoadingCurve& loading,
                double quiet, const FrontCriteria& criteria) {
-  const auto furthest = std::ranges::max_element(ruptures, {}, &Rupture::block);
+  const double from = just_after(loading.time.front());
+  const Rupture& first = *std::ranges::lower_bound(ruptures, from, {}, &Rupture::time);
+  RuptureLine line = rupture_line(p, ruptures, from, ruptures.back().time);
   Event event;
-  event.t_start = ruptures.front().time;
+  event.t_start = first.time;
   event.t_end = ruptures.back().time;
-  event.x_first = block_position(p, ruptures.front().block);
-  event.x_last = block_position(p, furthest->block);
-  event.front = measure_front(p, rupture_line(p, ruptures, event.t_start, event.t_end), criteria);
+  event.silence = loading.time.back() - event.t_end;
+  line.is_over = is_over(event.silence, quiet);
+  event.x_first = block_position(p, first.block);
+  event.x_last = *furthest(line.x, whole_event(line));
+  event.front = measure_front(p, std::move(line), criteria);
   event.F_T_before = force_at(loading, event.t_start);
   event.F_T_after = smallest_force(loading, event.t_start, event.t_end + quiet);
   return event;
@@ -160,14 +195,28 @@ Event describe(const Parameters& p, std::span<const Rupture> ruptures, const Loa
 
 }  // namespace
 
-RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,
-                         double to) {
-  RuptureLine line{block_positions(p), {}};
-  line.t_rupture.resize(static_cast<std::size_t>(p.Nx));
+std::size_t RuptureLine::ruptured_before() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(before, [](const auto& t) { return t.has_value(); }));
+}
+
+FirstRuptures first_ruptures(const Parameters& p, std::span<const Rupture> ruptures, double from,
+                             double to) {
+  FirstRuptures first(static_cast<std::size_t>(p.Nx));
   for (const Rupture& rupture : ruptures) {
-    auto& t = line.t_rupture[static_cast<std::size_t>(rupture.block)];
+    auto& t = first[static_cast<std::size_t>(rupture.block)];
     if (rupture.time < from || rupture.time > to) continue;
     if (!t || rupture.time < *t) t = rupture.time;
+  }
+  return first;
+}
+
+RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,
+                         double to) {
+  RuptureLine line = {block_positions(p), first_ruptures(p, ruptures, from, to)};
+  line.before = first_ruptures(p, ruptures, 0.0, std::nextafter(from, 0.0));
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    if (line.before[i]) line.t_rupture[i].reset();
   }
   return line;
 }
@@ -199,13 +248,19 @@ std::vector<std::optional<double>> front_speed(const std::vector<double>& x,
   return v_c;
 }
 
-std::optional<double> SlowStretch::mean() const {
-  if (duration() == 0.0) return std::nullopt;
-  return (x_to - x_from) / duration();
+std::optional<double> SlowStretch::duration() const {
+  if (stencils < kStencilsInWords) return std::nullopt;
+  return t_to - t_from;
+}
+
+std::optional<double> SlowStretch::mean_speed() const {
+  if (!duration() || *duration() == 0.0) return std::nullopt;
+  return (x_to - x_from) / *duration();
 }
 
 std::string_view front_type_name(FrontType type) {
-  constexpr std::array<std::string_view, 4> names = {"none", "arrested", "slow", "fast"};
+  constexpr std::array<std::string_view, 5> names = {"none", "arrested", "slow", "fast",
+                                                     "unfinished"};
   return names.at(static_cast<std::size_t>(type));
 }
 
@@ -217,23 +272,28 @@ Front measure_front(const Parameters& p, RuptureLine line, const FrontCriteria& 
   Front front;
   front.criteria = criteria;
   front.line = std::move(line);
-  const FirstRuptures& ruptured = front.line.t_rupture;
+  const FirstRuptures ruptured = whole_event(front.line);
   front.t_front = criteria.line == Line::raw ? ruptured : front_times(ruptured);
-  front.v_c = front_speed(front.line.x, front.t_front, criteria);
-  for (std::size_t i = 0; i < front.line.x.size(); ++i) {
-    if (ruptured[i]) front.x_arrest = front.line.x[i];
-  }
   front.ahead = count_ahead(ruptured, front.t_front, first_beyond(front));
-  front.reached_edge = front.line.t_rupture.back().has_value();
+  forget_before(front.line.before, front.t_front);
+  front.v_c = front_speed(front.line.x, front.t_front, criteria);
+  front.x_arrest = furthest(front.line.x, ruptured);
+  front.reached_edge = ruptured.back().has_value();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   front.backward_stencils = stencils_between(-kInfinity, 0.0, front);
   front.speed = median(speeds(front, first_beyond(front), front.v_c.size()));
   const double c_s = shear_wave_speed(p), limit = criteria.slow_below * c_s;
   front.slow = longest(front, limit);
   front.in_words = longest(front, kSlowInWords * c_s);
+  const bool has_spanned = spans(p, ruptured, criteria.skip_below_x);
+  if (has_spanned || !front.line.is_over) front.x_arrest.reset();
+  if (!has_spanned && !front.line.is_over) {
+    front.type = FrontType::unfinished;
+    front.fast_slow_fast = Answer::unknown;
+  }
   if (front.x_arrest) front.type = FrontType::arrested;
-  if (!spans(p, ruptured, criteria.skip_below_x)) return front;
-  front.x_arrest.reset();
+  if (!has_spanned) return front;
+  if (is_empty(front.line.t_rupture)) return front;
   const bool is_slow = stencils_between(-limit, limit, front) > 0;
   front.type = is_slow ? FrontType::slow : FrontType::fast;
   front.fast_slow_fast = is_fast_slow_fast(front, kSlowInWords * c_s);
@@ -252,11 +312,16 @@ std::vector<std::span<const Rupture>> split_at_pauses(std::span<const Rupture> r
   return parts;
 }
 
+double just_after(double time) {
+  return std::nextafter(time, std::numeric_limits<double>::infinity());
+}
+
 std::vector<Event> find_events(const Parameters& p, std::span<const Rupture> ruptures,
                                const LoadingCurve& loading, double quiet,
                                const FrontCriteria& criteria) {
   std::vector<Event> events;
   for (const auto part : split_at_pauses(ruptures, quiet)) {
+    if (part.back().time <= loading.time.front()) continue;
     events.push_back(describe(p, part, loading, quiet, criteria));
   }
   return events;

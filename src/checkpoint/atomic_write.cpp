@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -232,8 +233,20 @@ std::vector<std::byte> GrowingFile::bytes() const {
   return *std::move(all);
 }
 
+bool GrowingFile::grows_at_its_path() const {
+  const off_t end = ::lseek(file_.get(), 0, SEEK_END);
+  const std::string mark = temporary_path(path_).string();  // which nobody else writes
+  if (!write_all(file_.get(), std::as_bytes(std::span(mark)))) return false;
+  constexpr int flags = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  const Descriptor there(::open(path_.c_str(), flags));
+  ::lseek(there.get(), end, SEEK_SET);
+  const auto seen = read_start(there, mark.size());
+  [[maybe_unused]] const int ignored = ::ftruncate(file_.get(), end);
+  return seen && std::ranges::equal(*seen, std::as_bytes(std::span(mark)));
+}
+
 void GrowingFile::remove() const {
-  if (is_at(file_, path_)) remove_durably(path_);
+  if (is_at(file_, path_) || grows_at_its_path()) remove_durably(path_);
 }
 
 }  // namespace rupture

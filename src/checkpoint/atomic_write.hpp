@@ -79,6 +79,10 @@ class GrowingFile {
   void remove() const;
 
  private:
+  /// Whether what is added to it shows at its path. Some file systems (rclone) give a file another
+  /// inode number when it is renamed, so that the number does not tell.
+  bool grows_at_its_path() const;
+
   std::filesystem::path path_;
   Descriptor file_;
 };

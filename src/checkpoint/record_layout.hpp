@@ -129,9 +129,9 @@ Content record_positions(const Parameters& parameters, const Content& record);
 /// Labels of all datasets of a record that have any.
 hdf5::Labels record_labels(const Content& record);
 
-/// What a record holds of its run, as datasets under /run. Empty if there is none, as in files of
-/// earlier builds.
-Content recorded_run_content(const RecordedRun& run);
+/// What a record holds of its run and of the event before its first sample, as datasets under /run.
+/// Empty if there is none, as in files of earlier builds.
+Content recorded_run_content(const RecordedRun& run, const LatestEvent& before);
 RecordedRun read_recorded_run(const Content& content);
 
 }  // namespace rupture

@@ -93,9 +93,10 @@ void read_fields(const Content& content, Record& record) {
   record.field_step = read_array<std::int64_t>(content, steps, {n});
 }
 
-void refuse_foreign(const Content& content, const RecordedRun& run) {
+void refuse_foreign(const Content& content, const Record& record) {
   std::map<std::string, std::string> units;
-  for (const auto& [path, dataset] : recorded_run_content(run)) units[path] = dataset.unit;
+  for (const auto& [path, dataset] : recorded_run_content(record.run, record.before))
+    units[path] = dataset.unit;
   layout::for_each_dataset([&](const auto& row) { units[row.path] = row.unit; });
   for (const auto& [path, dataset] : content) {
     if (path.starts_with("/parameters/") || path.starts_with("/provenance/")) continue;
@@ -217,8 +218,9 @@ Record record_from(const ContentFile& file) {
   const Content& content = file.content;
   Record record;
   record.run = read_recorded_run(content);
-  refuse_foreign(content, record.run);
   record.parameters = read_parameters(content);
+  record.before = read_event(content, record.parameters);
+  refuse_foreign(content, record);
   expect_as_written(content, record_positions(record.parameters, content));
   record.provenance = read_provenance(content);
   const std::uint64_t samples = rows_in(content, "/series/time");
@@ -249,7 +251,40 @@ Content finished_content(const RecordFile& part, const std::vector<ProvenanceEnt
   return whole;
 }
 
-std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
+namespace {
+
+/// The latest event before the first sample, of blocks below this fraction.
+LatestEvent event_before(const Record& record, double fraction) {
+  LatestEvent event = record.before;
+  const Parameters& p = record.parameters;
+  if (record.time.empty() || fraction == kRupturedFraction) return event;
+  const double now = record.time[0], limit = pinned_limit(p, fraction);
+  const bool is_under_way = event.is_under_way(now, pause_between_events(p));
+  for (std::size_t i = 0; i < event.first.size(); ++i) {
+    const auto block = static_cast<Eigen::Index>(i);
+    const double pinned = record.pinned(0, block);
+    auto& t = event.first[i];
+    const bool is_recent = t && now - *t < 0.5 * p.t_R[block];
+    if (is_recent && pinned >= limit) t.reset();
+    const bool has_ruptured = t || pinned < pinned_limit(p, kRupturedFraction);
+    if (is_under_way && !has_ruptured && pinned < limit) t = now;
+  }
+  return event;
+}
+
+/// As ruptures in order of time, and the last one, by a block that had ruptured.
+std::vector<Rupture> ruptures_of(const LatestEvent& event) {
+  std::vector<Rupture> ruptures;
+  for (std::size_t i = 0; i < event.first.size(); ++i) {
+    if (event.first[i]) ruptures.push_back({0, *event.first[i], static_cast<std::int64_t>(i)});
+  }
+  std::ranges::stable_sort(ruptures, {}, &Rupture::time);
+  if (!ruptures.empty()) ruptures.push_back({0, event.last_rupture, ruptures.front().block});
+  return ruptures;
+}
+
+/// Those in the record.
+std::vector<Rupture> recorded_below(const Record& record, double fraction) {
   if (fraction == kRupturedFraction) return record.ruptures;
   const auto& levels = record.crossing_levels;
   if (std::find(levels.begin(), levels.end(), fraction) == levels.end()) {
@@ -264,6 +299,15 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
   for (const Rupture& crossing : record.crossings) {
     if (crossing.pinned_below == fraction) ruptures.push_back(crossing);
   }
+  return ruptures;
+}
+
+}  // namespace
+
+std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
+  std::vector<Rupture> ruptures = ruptures_of(event_before(record, fraction));
+  const auto recorded = recorded_below(record, fraction);
+  ruptures.insert(ruptures.end(), recorded.begin(), recorded.end());
   return ruptures;
 }
 

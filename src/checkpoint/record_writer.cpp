@@ -118,7 +118,7 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
   }
   if (parts.fields == Fields::record) begin(rows_, layout::kFields, FieldSample{}, parameters);
   Content first = std::move(rows_before);  // with what stays as it is
-  first.merge(recorded_run_content(parts.run));
+  first.merge(recorded_run_content(parts.run, parts.before));
   first.merge(Content(rows_));  // all datasets are there, even if without rows
   first.merge(parameters_content(parameters));
   first.merge(provenance_content(provenance));

@@ -1,6 +1,8 @@
 #include "rupture/dynamics/run.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "rupture/model/derived.hpp"
 
@@ -19,15 +21,33 @@ std::int64_t steps_between_questions(const Parameters& p) {
   return std::max<std::int64_t>(moved / (p.Nx * (p.Nz + springs_per_block(p))), 1);
 }
 
+/// Whether the block has ruptured since the run began.
+bool has_ruptured(std::int64_t block, const State& state, const RunSoFar& run) {
+  if (run.event.first.empty()) return false;
+  const auto& t = run.event.first[static_cast<std::size_t>(block)];
+  return t && *t > time_at(state.made_with, state.clock, run.first_step);
+}
+
+/// Whether nothing will rupture any more: the drive stands still, no junction waits to be pinned or
+/// creeps, and none has broken for longer than events are apart and for ten periods of the slider
+/// on its driving spring, 2 pi sqrt(M/K), so that its waves have died down.
+bool is_at_rest(const State& state, const RunSoFar& run) {
+  const Parameters& p = state.made_with;
+  if (p.V != 0.0) return false;
+  const double periods = 10.0 * 2.0 * std::numbers::pi * std::sqrt(p.M / p.K);
+  const double quiet = std::max(quiet_time(p, run.early), periods);
+  if (static_cast<double>(state.step - run.last_break) * p.dt < quiet) return false;
+  const auto waits = [](double at) { return is_slipping(at) && at != Junctions::unknown; };
+  return !state.junctions.repin_time.unaryExpr(waits).any() &&
+         (state.junctions.slow_until.abs() <= time(p, state)).all();
+}
+
 }  // namespace
 
 std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const StopRule& rule) {
   const std::int64_t step = state.step;
   const EarlyEnd& early = rule.early;
-  if (early.rupture_of && !run.event.empty() &&
-      run.event[static_cast<std::size_t>(*early.rupture_of)]) {
-    return Ending::ruptured;
-  }
+  if (early.rupture_of && has_ruptured(*early.rupture_of, state, run)) return Ending::ruptured;
   if (step >= rule.last_step) return Ending::last_step;
   if (step % kQuietCheck != 0) return std::nullopt;
   const Eigen::Index edge = state.junctions.repin_time.rows() - 1;  // the leading one
@@ -35,6 +55,7 @@ std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const S
       early.arrived_below && pinned_fraction(state.junctions, edge) >= *early.arrived_below;
   if (early.spanned && run.spanned && !waits) return Ending::spanned;
   if (early.quiet_steps && step - run.last_break >= *early.quiet_steps) return Ending::quiet;
+  if (early.may_come() && is_at_rest(state, run)) return Ending::at_rest;
   return std::nullopt;
 }
 

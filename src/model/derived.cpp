@@ -77,7 +77,7 @@ std::int64_t springs_per_block(const Parameters& p) {
 double junction_stiffness(const Parameters& p, std::int64_t i, double p_i) {
   const bool initial = p.k_ij_from == StiffnessFrom::initial && p_i > 0.0;
   return junction_stiffness(p.kappa[i], static_cast<double>(p.N_s),
-                            initial ? mean_normal_force(p) : p_i);
+                            initial ? column_load(p, i) : p_i);
 }
 
 double mean_slipping_time(const Parameters& p, std::int64_t i) {
@@ -102,9 +102,10 @@ double stable_time_step(const Parameters& p) {
 double stable_time_step(const Parameters& p, double largest_p) {
   const double k = bulk_stiffness(p);
   const double m = block_mass(p);
+  const double largest_load = mean_normal_force(p) * p.load.largest();
   const double k_ij =
       junction_stiffness(p.kappa.largest(), static_cast<double>(p.N_s),
-                         p.k_ij_from == StiffnessFrom::initial ? mean_normal_force(p) : largest_p);
+                         p.k_ij_from == StiffnessFrom::initial ? largest_load : largest_p);
   const double k_i = static_cast<double>(p.N_s) * k_ij;
   const double interface = driving_row(p) == 0 ? k_i + p.K : k_i;
   const double surface = std::max({interface, foundation_stiffness(p), p.K});

@@ -71,6 +71,13 @@ void validate_coefficients(const Parameters& p) {
           "under the {} law, set {}",
           alternatives(law_names(f_new.laws)), law.name, law.slow_slip_off);
     }
+    if (p.load[i] == 0.0 && p.k_ij_from == StiffnessFrom::initial &&
+        p.support == Support::foundation) {
+      throw UsageError(
+          "slider.load is 0{}: with junctions.k_ij_from = initial, its junctions would have no "
+          "stiffness; set current",
+          place_text(p, i, true));
+    }
   }
 }
 
@@ -127,7 +134,7 @@ const std::vector<ParameterInfo>& parameter_table() {
       {"junctions.kappa", "kappa", "N/m^2", &P::kappa, above(0, 1e20),
        "junction stiffness: k_ij = sqrt(kappa f_N)"},
       {"junctions.k_ij_from", "-", "1", &P::k_ij_from, one_of({"current", "initial"}),
-       "normal force in k_ij: current p_i, or initial, F_N/N_x", all, later},
+       "normal force in k_ij: current p_i, or initial, F_N/N_x times slider.load", all, later},
       {"junctions.t_R", "t_R", "s", &P::t_R, above(0, 1e3), "mean slipping time",
        only({reference, simplified, decaying})},
       {"junctions.delta_t_R", "delta t_R", "s", &P::delta_t_R, at_least(0, 1e3),

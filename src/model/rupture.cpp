@@ -1,5 +1,6 @@
 #include "rupture/model/rupture.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rupture/model/derived.hpp"
@@ -24,23 +25,36 @@ bool spans(const Parameters& p, const FirstRuptures& first, double skip_below_x)
   return 2 * ruptured > blocks && before_edge > 0;
 }
 
-RunSoFar run_from(const Parameters& p, std::int64_t step) {
+bool LatestEvent::is_under_way(double t, double quiet) const {
+  const bool has_begun = std::ranges::any_of(first, [](const auto& at) { return at.has_value(); });
+  return has_begun && t - last_rupture <= quiet;
+}
+
+RunSoFar run_from(const Parameters& p, std::int64_t step, LatestEvent event) {
   RunSoFar run;
   run.first_step = run.last_break = step;
-  run.event.resize(static_cast<std::size_t>(p.Nx));
+  run.event = std::move(event);
+  run.event.first.resize(static_cast<std::size_t>(p.Nx));
   return run;
+}
+
+double quiet_time(const Parameters& p, const EarlyEnd& early) {
+  return early.quiet_time.value_or(pause_between_events(p));
 }
 
 void add_rupture(const Parameters& p, const Rupture& rupture, RunSoFar& run) {
   ++run.ruptures;
   run.leading_edge_ruptured |= rupture.block + 1 == p.Nx;
-  if (run.event.empty()) return;
-  const bool is_new = rupture.time - run.last_rupture > pause_between_events(p);
-  if (is_new) run.event.assign(run.event.size(), std::nullopt);
-  auto& first = run.event[static_cast<std::size_t>(rupture.block)];
-  if (!first) first = rupture.time;
-  run.last_rupture = rupture.time;
-  run.spanned = run.spanned || spans(p, run.event);
+  FirstRuptures& first = run.event.first;
+  if (first.empty()) return;
+  if (!run.event.is_under_way(rupture.time, quiet_time(p, run.early))) {
+    first.assign(first.size(), std::nullopt);
+  }
+  const bool had_spanned = spans(p, first);
+  auto& of_block = first[static_cast<std::size_t>(rupture.block)];
+  if (!of_block) of_block = rupture.time;
+  run.event.last_rupture = rupture.time;
+  run.spanned = run.spanned || (!had_spanned && spans(p, first));
 }
 
 }  // namespace rupture

@@ -4,6 +4,7 @@
 //   FAULT_AT=n           the call to act on, counted from 1; 0 or absent: none
 //   FAULT=kill           SIGKILL just before it
 //   FAULT=short          a write takes half of its bytes only, which is no error
+//   FAULT=inode          files that are renamed have another inode number by their new name
 //   FAULT=<errno>        it fails with this error, and nothing happens
 //   FAULT=<errno>+       the same, and so do all later calls that need room on the disk
 //   FAULT_LOG=file       one line per call, in order, by which disk.py replays them
@@ -13,6 +14,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -20,6 +22,7 @@
 #include <csignal>
 #include <cstdarg>
 #include <cstdlib>
+#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -58,6 +61,7 @@ const Plan& plan() {
 }
 
 long calls = 0;
+std::set<std::string> new_names;   // by which files were renamed
 std::array<bool, 1024> watched{};  // descriptors of files in the working folder
 
 bool is_watched(int fd) {
@@ -168,15 +172,24 @@ int close(int fd) {
   return done;
 }
 
+int lstat(const char* path, struct stat* about) {
+  static auto* real = next<int(const char*, struct stat*)>("lstat");
+  const int done = real(path, about);
+  if (plan().fault == "inode" && new_names.contains(path)) about->st_ino = ~about->st_ino;
+  return done;
+}
+
 int rename(const char* from, const char* to) {
   static auto* real = next<int(const char*, const char*)>("rename");
   const auto call = [&] { return real(from, to); };
+  new_names.insert(to);
   return counted(is_watched(from), Needs::nothing, call, "rename", from, to);
 }
 
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
   static auto* real = next<int(int, const char*, int, const char*, unsigned)>("renameat2");
   const auto call = [&] { return real(from_folder, from, to_folder, to, flags); };
+  new_names.insert(to);
   return counted(is_watched(from), Needs::nothing, call, "rename", from, to);
 }
 

@@ -1,15 +1,29 @@
 """What surrounds a run: the same command started twice at the same moment in one folder, of which
 one gives way; standard streams that are closed or lose their reader; a record that is moved."""
 
+import os
 import re
 import shlex
+import shutil
 import signal
 import subprocess
 
 import pytest
 
-from conftest import BIN, run, started
-from scenario import INPUTS, LOAD, LONG, PREPARE, Folder, case, kept_in, made, sums, without_notes
+from conftest import BIN, run, started, stopped
+from scenario import (
+    FAULTS,
+    INPUTS,
+    LOAD,
+    LONG,
+    PREPARE,
+    Folder,
+    case,
+    kept_in,
+    made,
+    sums,
+    without_notes,
+)
 
 CONTAINERS = ["unshare", "--pid", "--fork"]  # both processes have the number 1
 PAIRS = 120 if LONG else 10
@@ -88,13 +102,24 @@ def test_a_stream_that_is_closed_or_has_no_reader_costs_no_file(redirections, en
         check_files(folder, whole)
 
 
-def test_a_record_that_is_moved_is_the_same_file_under_another_name(whole):
+@pytest.mark.parametrize("fault", ["", "inode"])
+@pytest.mark.parametrize("action", ["runs", "is moved", "is moved, and a copy takes its name"])
+def test_only_the_own_unfinished_record_is_removed(whole, action, fault):
     tool, *options = shlex.split(LONGER)
     with Folder(INPUTS) as folder:
         command, part = [BIN / tool, *options, "-q"], folder.path / "r.h5.part"
-        with started(command, part, cwd=folder.path, stderr=subprocess.PIPE) as process:
-            part.rename(folder.path / "moved")
+        moved, env = folder.path / "moved", os.environ | {"LD_PRELOAD": FAULTS, "FAULT": fault}
+        with started(command, part, cwd=folder.path, env=env, stderr=subprocess.PIPE) as process:
+            with stopped(process):
+                if "moved" in action:
+                    part.rename(moved)
+                if "copy" in action:
+                    shutil.copyfile(moved, part)
             _, said = process.communicate(timeout=120)
         assert (process.returncode, said) == (0, b"")
+        assert (moved.exists(), part.exists()) == ("moved" in action, "copy" in action)
+        if moved.exists():
+            assert "ignored" not in folder.must_run("finish moved -o m.h5")  # no mark is left
+            folder.must_run("analyze diff m.h5 r.h5")
+            os.remove(folder.path / "m.h5")
         check_files(folder, whole)
-        assert "moved" in folder.files()

@@ -18,10 +18,12 @@ from PIL import Image
 import rupture
 from commands import refuses
 from conftest import BIN, SMALL, draws, run, started
+from progress_test import on_terminal
 from rupture import plotting
 from rupture.replacing import replacing
 from rupture.tools.command_line import CLEAR, Failure
-from rupture.tools.map import LINE, Shown, draw_front_lines, slip_speed, spread
+from rupture.tools.map import LINE, Shown, draw_front_lines, figure_of, gaps_of, patches_of
+from rupture.tools.map import slip_speed, spread
 from rupture.tools.movie import SLOWEST, chosen_samples, front_at, values_of
 from rupture.tools.output import EXISTS, complete, progress
 
@@ -60,6 +62,43 @@ def test_the_white_line_is_where_blocks_rupture_first():
         assert {round(time, 3) for x, time in corners if x == 0} == found
 
 
+# Block 0 is pinned again before block 1 ruptures; block 2 ruptures soon after that.
+LATER = np.array([[1, 1, 1], [0, 1, 1], [0.6, 1, 1], [0.1, 1, 1], [0, 0.1, 1], [0, 0, 0.1]])
+
+
+def test_fronts_that_break_again_are_not_joined():
+    times, x = np.arange(6) * 1e-3, np.array([0, 0.5, 1])
+    record = SimpleNamespace(time=times, x=x, pinned_fraction=LATER, path=Path("r.h5"))
+    axes = plotting.pyplot_without_window().subplots()[1]
+    front = {"x": x, "L": 1.0, "t_front": [0.7e-3, 3.7e-3, 4.7e-3]}
+    with mock.patch("rupture.tools.map.fronts_of", return_value=([], {0: front})):
+        draw_front_lines(axes, [Shown("r.h5", record, [], ())], [0.0], [(0, 5)])
+    np.testing.assert_allclose(axes.lines[0].get_ydata(), [0.7, np.nan, 3.7, 4.7])
+    assert gaps_of(record, np.array([0.7e-3, 0.9e-3, np.nan])) == []
+    plotting.draw_pinned(axes, record, 0.0, (0, 5))
+    paths = [path for drawn in axes.collections[1:] for path in drawn.get_paths()]
+    places = np.concatenate([path.vertices for path in paths])
+    beside = (places[:, 0] > 0) & (places[:, 0] < 0.5)
+    assert not ((places[:, 1] > 1.4) & (places[:, 1] < 2.6) & beside).any()
+
+
+def test_rows_have_their_own_times_and_patches(small):
+    patch = {"junctions.mu_s": "0.5 from 70mm to 80mm", "junctions.t_R": [1e-4, *16 * [2e-4]]}
+    files = {"output": "b.h5", "record": "b-r.h5"}
+    other = rupture.run("restart", "small.h5", **files, for_=0.01, set=patch).record
+    windows = (0, 0.002), (0.002, 0.012)
+    shown = map(Shown, ("small-record.h5", "b-r.h5"), (small.record, other), ([], []), windows)
+    axes = figure_of([*shown], since_event=False).axes
+    assert [axes[row].get_ylim() for row in (0, 3)] == [(0, 2), (2, 12)]
+    assert [len(axes[row].lines) for row in (0, 3)] == [0, 6]
+
+
+def test_patches_are_marked_where_they_and_slopes_begin_and_end():
+    values = {"flat": 3, "slope": [0, 0, 1, 2, 3, 3], "patch": [0, 0, 0, 0, 7, 0]}
+    record = SimpleNamespace(x=np.arange(6.0), parameters=values)
+    assert patches_of(record) == {"slope": [0.3, 0.7], "patch": [0.7, 0.9]}
+
+
 def test_lines_of_fronts_are_those_of_the_reports(small):
     event = rupture.analyze("events", "small-record.h5")["events"][0]
     shown = 2 * [Shown("small-record.h5", small.record, [event], (0.0, 1e-3))]
@@ -67,7 +106,7 @@ def test_lines_of_fronts_are_those_of_the_reports(small):
     front = rupture.analyze("front", "small-record.h5", event=0)
     expected = np.array(front["t_front"], dtype=float)
     last = (np.nanmax(expected) - 5e-5) * 1e3  # [ms], of the first record
-    draw_front_lines(axes, shown, (0.0, 1e-4), (-1.0, last))
+    draw_front_lines(axes, shown, (0.0, 1e-4), 2 * [(-1.0, last)])
     for line, t_zero in zip(axes.lines, (0.0, 1e-4)):
         assert np.allclose(line.get_xdata(), np.array(front["x"]) / 0.14)
         times = (expected - t_zero) * 1e3
@@ -223,6 +262,13 @@ def test_progress_goes_to_a_terminal_alone(capsys):
             assert list(progress("ab", 2, "frame")) == ["a", "b"]
         said = f"{CLEAR}frame 1 of 2{CLEAR}frame 2 of 2{CLEAR}" if is_terminal else ""
         assert capsys.readouterr() == ("", said)
+
+
+def test_films_show_their_progress(small):
+    film = "movie small-record.h5 -o x.gif -f --frames 2"
+    shown = [CLEAR.removeprefix("\r") + what for what in ("front 1 of 1", "frame 2 of 2")]
+    assert {*shown} <= {*on_terminal(film, 80)}
+    assert on_terminal(f"{film} --quiet", 80) == [""]
 
 
 def test_a_file_that_appears_meanwhile_is_kept_and_ours_is_deleted(folder):

@@ -3,8 +3,10 @@ and xarray, which need no package of ours."""
 
 import doctest
 import json
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tomllib
@@ -181,6 +183,67 @@ def test_names_that_a_file_lacks_and_closed_files(small):
     fails("has no u_y; did you mean u_[xz]?", rupture.open("small.h5").units, "u_y")
     assert small.record.get("fields/u_x", 5) == 5
     fails("has no ", small.record.dataset, "")
+    fails("has no 3", lambda: small.record[3])
+    fails("has no slider.l; did you mean slider.L?", lambda: small.record.parameters["slider.l"])
+    listed = [line.split() for line in repr(small.record).splitlines()]
+    samples = str(len(small.record.time))
+    assert ["u_x", samples, "x", "17", "m"] in listed and ["F_T", samples, "N"] in listed
+
+
+def test_errors_are_failures_whatever_was_given(folder):
+    fails("^None is not the name of a file: expected str, .*; give the path", rupture.open, None)
+    fails("^'a.x00b' is not the name of a file: embedded null byte", rupture.open, "a\0b")
+    fails("^program  not found", rupture.run, "", output="x.h5")
+    fails("^load cannot be started: embedded null byte; check", rupture.run, "load", output="a\0b")
+    many = {"junctions.mu_s": np.full(65536, 1 / 3)}
+    fails("too long.* values with --profile$", rupture.run, "load", output="x.h5", set=many)
+    fails("^set must be a dict, .*'b=1'", rupture.run, "load", output="x.h5", set="b=1")
+    fails("^analyze events prints no report", rupture.analyze, "events", help=True)
+    fails("not exist", rupture.analyze, "events", "\udcff.h5")
+    assert repr(rupture.Result("none.h5", None)) == "<rupture.Result 'none.h5': not there>"
+
+
+def test_dir_names_what_there_is():
+    names = "Checkpoint Failure File Record Result __version__ analyze open run verify"
+    assert dir(rupture) == names.split()
+    assert all(hasattr(rupture, name) for name in dir(rupture))
+
+
+def test_sets_values_along_x_parts_and_what_parameters_returned(folder):
+    odd: dict = {
+        "junctions.mu_s": np.linspace(0.4, 0.5, 17),
+        "junctions.t_R": [1e-4, "3e-4 from 0 to 20mm", "4e-4 from 20mm to 50mm"],
+        "junctions.f_new": ["f_slip from 0 to 10mm", "f_slip from 130mm to 140mm"],
+    }
+    made = rupture.run("load", output="x.h5", config=SMALL, set=odd).checkpoint
+    found = made.parameters
+    assert found["junctions.mu_s"] == odd["junctions.mu_s"].tolist()
+    assert found["junctions.t_R"] == 3 * [3e-4] + 3 * [4e-4] + 11 * [1e-4]
+    assert found["junctions.f_new"] == 2 * ["f_slip"] + 13 * ["zero"] + 2 * ["f_slip"]
+    again = rupture.run("load", output="again.h5", set=found)
+    assert again.checksum == made.checksum
+    shape = {name: found[name] for name in ("slider.H", "slider.Nx", "slider.Nz", "driving.h")}
+    levels = np.array([0.05, *16 * [0.1]]), "0.05,16x0.1"
+    sums = [
+        rupture.run("prepare", output="p.h5", set=shape, tau_bar=level, force=True).checksum
+        for level in levels
+    ]
+    assert sums[0] == sums[1]
+
+
+@pytest.mark.parametrize("send", [os.kill, os.killpg])  # as notebooks and terminals do
+def test_an_interrupted_run_says_where_it_goes_on(folder, send):
+    options = {"output": "x.h5", "record": "r.h5", "config": str(SMALL), "until": 0.2}
+    options |= {"record_every": 2e-6, "resume": True}  # there is nothing to resume from at first
+    command = [sys.executable, "-c", f"import rupture; rupture.run('load', **{options})"]
+    run = started(command, Path("r.h5.part"), 2, stderr=subprocess.PIPE, process_group=0)
+    send(run.pid, signal.SIGINT)
+    said = run.communicate()[1].decode().splitlines()[-1]
+    sentence = "KeyboardInterrupt: load: interrupted, and saved as {}; with resume=True it goes on"
+    (saved,) = Path().glob("x-t*.h5")
+    assert said.startswith(sentence.format(saved))
+    subprocess.run(command, check=True)
+    assert rupture.open("x.h5").time == pytest.approx(0.2)
 
 
 def test_xarray_and_pandas_hold_the_arrays(small):

@@ -8,6 +8,7 @@ import pytest
 
 import rupture
 from conftest import SMALL, draws, run, skip
+from rupture.tools.xdmf import short
 
 try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -90,7 +91,9 @@ def test_fields_of_a_record_are_a_series(folder):
     options = {"until": 1e-3, "record_every": 1e-4, "fields": 2e-4, "config": SMALL}
     record = rupture.run("load", output="f.h5", record="f-record.h5", **options).record
     draws("xdmf", "f-record.h5", "-o", OUTPUT)
-    for number, time in enumerate(record["fields/time"]):
+    times = [short(time) for time in record["fields/time"]]
+    assert times[:3] == [0.0, 0.0002, 0.0004] != [*record["fields/time"][:3]]
+    for number, time in enumerate(times):
         slider, interface = block_named("slider", time), block_named("interface", time)
         assert {*slider} == {"u_x", "u_z", "sigma_xx", "sigma_zz", "sigma_xz"}
         for name in ("u_x", "u_z"):
@@ -98,6 +101,11 @@ def test_fields_of_a_record_are_a_series(folder):
         for name in ("tau", "p"):
             assert np.array_equal(interface[name], record[name][2 * number])
         assert np.array_equal(interface["pinned_fraction"], record.pinned_fraction[2 * number])
+
+
+def test_times_are_short_where_only_rounding_makes_them_long():
+    others = [1 / 3, 0.8 + 1e-12]
+    assert [short(time) for time in (4000000 * 2e-7, *others)] == [0.8, *others]
 
 
 def test_the_stress_bears_the_normal_load(folder):

@@ -2,6 +2,7 @@
 
 import shutil
 import subprocess
+import unicodedata
 from pathlib import Path
 from unittest import mock
 
@@ -83,6 +84,25 @@ def test_the_example_of_points_that_follow_from_points_is_that_of_the_page(folde
     for name, first in (("run", "[chain]\n"), ("branches", "base   = run:")):
         text = (ROOT / f"docs/examples/{name}.ini").read_text("utf-8").partition(first)[2]
         assert text.partition("\n[quantities]")[0].strip() in page
+
+
+def test_names_of_the_same_look_are_the_same(plan):
+    apart, micro, mu = unicodedata.normalize("NFD", "größe"), "\u00b5", "\u03bc"
+    shutil.move("base.h5", f"{apart}.h5")
+    Path("größe.csv").write_text(f"driving.V [{micro}m/s]\n3\n", encoding="utf-8")
+    text = BASED.replace("base.h5", f"größe.h5\npoints = {apart}.csv")
+    text = text.replace("0.01", f"{{größe + 2 * {mu}}} --set junctions.t_R={{{mu}}}")
+    values = f"{micro} = 1{mu}s, 2{micro}s\n{apart} = 1ms\n[quantities]\n"
+    quantity = f"{apart}n [{micro}s] = 1e6 * {micro} / größe\n"
+    sweep = plan(
+        text.replace("driving.V = 0.1mm/s\nseed = 1, 2\n[quantities]\n", values) + quantity
+    )
+    command = sweep.points[0].commands["restart"]
+    assert (
+        f"--set 'driving.V=3{micro}m/s' --for 0.001002 --set junctions.t_R='1{micro}s'" in command
+    )
+    assert sweep.units["größen"] == f"{micro}s"
+    assert sweep.typed == {micro: f"{micro}s", "größe": "ms", "driving.V": f"{micro}m/s"}
 
 
 def test_commands_of_points_that_are_not_known_yet_are_checked(plan):
@@ -206,6 +226,11 @@ REFUSED = [
     ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s has the unit 'm/s'"),
     ("type = front.type", "v [mm/s] = front.v_c[3]", "says .mm/s., but front.v_c.3. has the unit"),
     ("type = front.type", "t [m] = front.type", "front.type has no unit; leave out .m."),
+    (
+        "type = ",
+        "\u00b5 = front.c_s\n\u03bc = ",
+        "option '\u00b5' in section 'quantities' already exists",
+    ),
     ("type = ", "v/c_s = ", "cannot be the heading"),
     ("type = ", "status = ", "cannot be the heading"),
     ("type = ", "tau-bar = ", "cannot be the heading"),

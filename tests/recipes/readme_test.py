@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 
+import rupture
 from report import readme
 from report.model_drawing import DRAWING, drawing
 from claims.claim import Claim, Number, Share
@@ -109,6 +110,28 @@ def test_the_page_of_the_model_is_current():
     text = "".join(f"{path}\n{path.read_text(encoding='utf-8')}" for path in sources)
     assert len(names) > 20
     assert {name for name in names if name.split("::")[-1] not in text} == set()
+
+
+def test_its_numbers_are_those_of_the_programs(folder):
+    page = " ".join((ROOT / "docs/model.md").read_text(encoding="utf-8").split())
+    listed = re.findall(r"([^|,]+) = ([\d.e-]+)", page.partition("## Values")[2])
+    known = json.loads(run("rupture", "parameters", "--json").stdout)["parameters"]
+    numbers = [one for one in known if "minimum" in one and one["symbol"] != "-"]
+    defaults = {one["symbol"].replace("delta ", "delta_"): one["default"] for one in numbers}
+    assert {symbol.strip(): float(value) for symbol, value in listed} == defaults
+    options = json.loads(run("prepare", "--describe").stdout)["options"]
+    default = {option["name"]: option["default"] for option in options}
+    x, tau_bar = 1000 * default["x-trigger"], default["tau-bar-trigger"]
+    chain = (ROOT / "recipes/figS6/map_runs.ini").read_text(encoding="utf-8")
+    [kappa, mu_d, mu_new] = re.findall(r"^junctions\.\w+ += ([\d.]+)", chain, re.MULTILINE)
+    run("prepare", "--tau-bar", "0", "-o", "p.h5")
+    first = 1000 * rupture.open("p.h5")["junctions/repin_time"][0][0]
+    for stated in (
+        f"x_trigger ({x:g} mm), tau_bar is {tau_bar} ",
+        f"kappa = {kappa} GN/m^2, mu_d = {mu_d} and mu_new = 0.7 mu_d = {mu_new}. ",
+        f"the first slipping time of junction 0 of block 0 is {first:.10f} ms",
+    ):
+        assert stated in page
 
 
 def test_no_text_uses_words_that_a_reader_cannot_know():

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from conftest import SHARED, succeeds
 from stand_ins import SWEEP, Project
 
 NOBODY = 65534
@@ -19,7 +20,7 @@ WAIT = "for i in {{1..100}}; do [[ -e {0} ]] && break; sleep 0.1; done; [[ -e {0
 
 @pytest.fixture(name="project")
 def copied_project():
-    with tempfile.TemporaryDirectory() as folder:  # not pytest's, which others cannot enter
+    with tempfile.TemporaryDirectory(dir=SHARED) as folder:
         yield Project(Path(folder))
 
 
@@ -109,7 +110,7 @@ def test_other_programs_that_install_are_waited_for(project):
 )
 def test_who_is_not_root_hears_of_all_packages_at_once(project, command, purpose):
     project.program("apt-get", MISSING)
-    project.root.chmod(0o777)
+    succeeds("chmod", "-R", "a+rwX", project.root)
     done = set_up(project, "python", "--cores", "1", command, user=NOBODY)
     assert (done.returncode, done.stdout) == (1, "")
     [named] = re.findall(

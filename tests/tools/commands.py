@@ -1,26 +1,40 @@
 """The programs in the current folder: what they print, which files they change, and scripts that
 make a file anew."""
 
+import functools
 import json
 import os
 import re
 import resource
+import shutil
 import subprocess
+import tempfile
 from collections import namedtuple
 from pathlib import Path
 
-from conftest import BIN, BUILD
+from conftest import BIN, BUILD, ROOT, SHARED
 
 SANITIZED = re.search(r"^RUPTURE_SANITIZE:\w+=.", (BUILD / "CMakeCache.txt").read_text(), re.M)
 NOBODY = 65534  # root may write everywhere
 Done = namedtuple("Done", "code out err")  # minus the signal's number if one ended the program
 
 
+@functools.cache
+def copy_for_others():
+    """The programs and the Python package in a folder that every user can enter."""
+    folder = tempfile.TemporaryDirectory(dir=SHARED)
+    shutil.copytree(BIN, f"{folder.name}/bin", ignore=shutil.ignore_patterns("*_test"))
+    shutil.copytree(ROOT / "python", f"{folder.name}/python")
+    subprocess.run(["/bin/chmod", "-R", "a+rX", folder.name], check=True)
+    return folder  # exists as long as this does
+
+
 def run(command, disk=None, memory=None, nobody=False, stdout=None, env=None):
     """Runs a program. Words are separated by single spaces, or given as a list. `disk` is the
     largest file [bytes], as if the disk was full then, `memory` the address space [bytes],
     `stdout` a file that takes it."""
-    tool, *words = command.split(" ") if isinstance(command, str) else command
+    command = command.split(" ") if isinstance(command, str) else command
+    words = [str(BIN / command[0]), *command[1:]]
     limits = {"CORE": 0, "CPU": 120, "FSIZE": disk, "AS": memory}
 
     def limit():
@@ -28,16 +42,21 @@ def run(command, disk=None, memory=None, nobody=False, stdout=None, env=None):
             if most is not None:
                 resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (most, most))
 
-    user: dict = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+    user: dict = {}
+    if nobody and os.geteuid() == 0:
+        user = {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+        home = copy_for_others().name
+        words = [word.replace(str(BIN), f"{home}/bin") for word in words]
+        env = {**(env or {}), "RUPTURE_BIN": f"{home}/bin", "PYTHONPATH": f"{home}/python"}
     with open(stdout or os.devnull, "wb") as to:
         done = subprocess.run(
-            [BIN / tool, *words],
+            words,
             stdout=to if stdout else subprocess.PIPE,
             stderr=subprocess.PIPE,
             preexec_fn=limit,
             env=os.environ | (env or {}),
             check=False,
-            **(user if nobody and os.geteuid() == 0 else {}),
+            **user,
         )
     out, err = (
         (text or b"").decode(errors="surrogateescape") for text in (done.stdout, done.stderr)

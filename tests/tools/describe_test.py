@@ -49,6 +49,12 @@ def test_all_options_are_described_with_the_texts_of_help(name):
         assert unit in ("", "1") or f"{option['value']} [{unit}]" in text
 
 
+@pytest.mark.parametrize("name", [*PYTHON, "reproduce"])
+def test_help_says_what_words_without_an_option_are(name):
+    (words,) = re.findall(r"\npositional arguments:\n((?: .*\n)+)", output_of(f"{name} --help"))
+    assert not re.search(r"^  \S+$", words, re.MULTILINE)
+
+
 @pytest.mark.parametrize("name", PROGRAMS + COMMANDS)
 def test_the_options_that_are_described_are_taken(name):
     options = options_of(json_of(f"{name} --describe"))

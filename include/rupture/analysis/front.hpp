@@ -26,14 +26,25 @@ struct FrontCriteria {
 
 /// What the paper calls slow (Discussion): v_c/c_s below this [1].
 inline constexpr double kSlowInWords = 1.0 / 10.0;
+/// How many stencils of it make a stretch.
+inline constexpr std::size_t kStencilsInWords = 3;
 
-/// Arrays with a value per interface block; a block that did not rupture has none.
+/// What a window of time shows of an event, and what it does not. Arrays have a value per interface
+/// block; a block that did not rupture has none.
 struct RuptureLine {
-  std::vector<double> x;    ///< position of the blocks [m]
-  FirstRuptures t_rupture;  ///< first rupture in the window [s]
+  std::vector<double> x;      ///< position of the blocks [m]
+  FirstRuptures t_rupture;    ///< first rupture in the window, if it is the first in the event [s]
+  FirstRuptures before = {};  ///< first rupture before the window begins; empty: none [s]
+  bool is_over = true;        ///< whether nothing of the event comes after the window
+
+  std::size_t ruptured_before() const;  ///< how many blocks
 };
 
-/// First rupture of every block at times in [from, to] [s].
+/// The first rupture of each block at times in [from, to] [s].
+FirstRuptures first_ruptures(const Parameters& parameters, std::span<const Rupture> ruptures,
+                             double from, double to);
+
+/// The ruptures of one event, in the window [from, to] [s] and before it.
 RuptureLine rupture_line(const Parameters& parameters, std::span<const Rupture> ruptures,
                          double from, double to);
 
@@ -56,7 +67,11 @@ std::vector<std::optional<double>> front_speed(const std::vector<double>& x,
                                                const FirstRuptures& times,
                                                const FrontCriteria& criteria);
 
-enum class FrontType { none, arrested, slow, fast };
+/// Unknown: the window does not show it.
+enum class Answer { no, yes, unknown };
+
+/// Unfinished: the event has not spanned, and the window ends before it is over.
+enum class FrontType { none, arrested, slow, fast, unfinished };
 std::string_view front_type_name(FrontType type);
 
 /// Whether an event with a front of this type spans.
@@ -80,9 +95,10 @@ struct SlowStretch {
   double slowest = 0;           ///< smallest v_c of them [m/s]
   std::size_t stencils = 0;     ///< how many of them
 
-  double duration() const { return t_to - t_from; }  ///< [s]
-  /// Length over duration [m/s]; no value for a single block.
-  std::optional<double> mean() const;
+  /// Between the centres of its first and last stencil [s]. Like the mean speed, length over
+  /// duration [m/s], none for fewer than kStencilsInWords stencils, which overlap too much.
+  std::optional<double> duration() const;
+  std::optional<double> mean_speed() const;
 
   /// Medians of v_c over the stencils before and after it, beyond the loading zone, that run
   /// forwards.
@@ -91,12 +107,15 @@ struct SlowStretch {
 
 struct Front {
   RuptureLine line;
-  FirstRuptures t_front;  ///< when the front is at each block [s]; t_rupture with Line::raw
+  FirstRuptures t_front;  ///< when the front is at each block [s]; t_rupture with Line::raw. None
+                          ///< where it was before the window
   std::vector<std::optional<double>> v_c;
   std::size_t ahead = 0;  ///< blocks beyond the loading zone that ruptured before it was there
   FrontType type = FrontType::none;
-  bool reached_edge = false;          ///< whether the leading edge ruptured, even alone
-  bool fast_slow_fast = false;        ///< in the paper's words, see measure_front()
+  bool reached_edge = false;  ///< whether the leading edge ruptured, even alone
+  /// In the paper's words, see measure_front(). Not known of an unfinished front, and of one whose
+  /// speed before the slow stretch is all before the window.
+  Answer fast_slow_fast = Answer::no;
   std::size_t backward_stencils = 0;  ///< beyond the loading zone, where v_c < 0
   std::optional<double> x_arrest;     ///< furthest ruptured block if the front did not span: of an
                                       ///< arrested one that reached the leading edge, that [m]
@@ -109,17 +128,22 @@ struct Front {
 /// Measures the front in one rupture line. None: nothing ruptured; arrested: the event does not
 /// span; slow: it does, and |v_c| < slow_below c_s somewhere beyond skip_below_x; fast: the rest.
 ///
+/// Where the front is, and whether the event spans, follows from all its ruptures, those before the
+/// window too. Speeds are those of stencils that lie wholly in the window: what happens before it
+/// may be another experiment.
+///
 /// Fast-slow-fast, whatever slow_below is: the event spans; of the stretches with 0 < v_c < c_s/10
 /// the one that lasted longest, in_words, has three stencils or more; and the medians of v_c before
 /// and after it are at least c_s/10.
 Front measure_front(const Parameters& parameters, RuptureLine line, const FrontCriteria& criteria);
 
 struct Event {
-  double t_start = 0, t_end = 0;   ///< first and last block rupture [s]
-  double x_first = 0, x_last = 0;  ///< first rupture, and furthest position reached [m]
+  double t_start = 0, t_end = 0;   ///< first and last block rupture in the record [s]
+  double x_first = 0, x_last = 0;  ///< first of these, and furthest position reached [m]
   Front front;
   double F_T_before = 0, F_T_after = 0;  ///< driving force at t_start, and its minimum until the
                                          ///< quiet time after t_end is over [N]
+  double silence = 0;  ///< from t_end to the next event or the end of the record [s]
 };
 
 struct LoadingCurve {
@@ -132,10 +156,20 @@ struct LoadingCurve {
 std::vector<std::span<const Rupture>> split_at_pauses(std::span<const Rupture> ruptures,
                                                       double quiet);
 
+/// Whether no rupture follows for `quiet` [s]; to the rounding of times.
+inline bool is_over(double silence, double quiet) {
+  return silence >= quiet * (1.0 - 1e-9);
+}
+
 /// Splits the ruptures into events: a new one begins when no block has ruptured for `quiet` [s]
-/// (default elsewhere: 5 t_R).
+/// (default elsewhere: 5 t_R). The loading curve is the window: an event whose ruptures are all
+/// before it does not count, and the last one is over if it goes on for long enough.
 std::vector<Event> find_events(const Parameters& parameters, std::span<const Rupture> ruptures,
                                const LoadingCurve& loading, double quiet,
                                const FrontCriteria& criteria);
+
+/// When a window begins that begins with this sample: what ruptured in its step belongs to what was
+/// before [s].
+double just_after(double time);
 
 }  // namespace rupture

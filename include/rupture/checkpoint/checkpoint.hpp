@@ -31,6 +31,9 @@ Content run_content(const RunSoFar& run);
 /// is incomplete or contradicts the step that the state is at.
 std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, std::int64_t step);
 
+/// The latest event in /run of either kind of file; not known if it is not there. Throws Failure.
+LatestEvent read_event(const Content& content, const Parameters& p);
+
 /// All datasets of the checkpoint that holds these.
 Content checkpoint_content(const Checkpoint& checkpoint);
 

@@ -44,6 +44,7 @@ struct RecordedRun {
   double every = 0;                            ///< sampling interval [s]
   std::optional<double> fields_every = {};     ///< that of the fields, if there are any [s]
   std::optional<double> every_in_events = {};  ///< of both while an event is under way [s]
+  std::optional<double> quiet_time = {};       ///< that separates events then; none: 5 t_R [s]
 
   bool operator==(const RecordedRun&) const = default;
 };
@@ -52,12 +53,14 @@ struct RecordParts {
   std::vector<double> crossing_levels = {};  ///< pinned fractions, ascending; none: no crossings
   Fields fields = Fields::omit;
   RecordedRun run = {};
+  LatestEvent before = {};  ///< the latest event before the record begins
 };
 
 struct Record {
   Parameters parameters;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   RecordedRun run;
+  LatestEvent before;        ///< the latest event before the first sample
   std::vector<double> time;  ///< one value per sample [s]
   std::vector<std::int64_t> step;
   std::vector<double> F_T;              ///< [N]
@@ -133,7 +136,10 @@ Record read_record(const std::filesystem::path& path);
 Record record_from(const ContentFile& file);
 
 /// When blocks' pinned fractions fell below `fraction`: the ruptures, or the crossings of this
-/// level. Throws Failure if the record does not hold them.
+/// level; first those of the latest event before the first sample, with its last one. Of these,
+/// the record holds when blocks fell below kRupturedFraction. Whether they had fallen below another
+/// fraction, its first sample tells: not yet if they are above it and ruptured less than t_R/2 ago.
+/// Throws Failure if the record does not hold the level.
 std::vector<Rupture> ruptures_below(const Record& record, double fraction);
 
 /// A record, and its datasets as they are in the file.

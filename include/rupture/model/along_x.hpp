@@ -24,6 +24,13 @@ class AlongX {
     return blocks_.empty() ? first_ : blocks_[static_cast<std::size_t>(i)];
   }
   T largest() const { return varies() ? std::ranges::max(blocks_) : first_; }
+  T smallest() const { return varies() ? std::ranges::min(blocks_) : first_; }
+  /// As many blocks are above as below; of an even number, the lower one of those in the middle.
+  T median() const {
+    std::vector<T> sorted = blocks_;
+    std::ranges::sort(sorted);
+    return varies() ? sorted[(sorted.size() - 1) / 2] : first_;
+  }
 
   bool varies() const { return !blocks_.empty(); }
   const std::vector<T>& blocks() const { return blocks_; }  ///< empty: the same everywhere

@@ -43,7 +43,7 @@ std::int64_t driving_row(const Parameters& p);
 std::int64_t springs_per_block(const Parameters& p);
 
 /// Junction stiffness k_ij = sqrt(kappa f_N) of block i at normal force p_i = N_s f_N on the block
-/// [N/m]. With junctions.k_ij_from = initial, f_N in it is F_N / (N_x N_s) wherever there is
+/// [N/m]. With junctions.k_ij_from = initial, f_N in it is column_load() / N_s wherever there is
 /// contact.
 double junction_stiffness(const Parameters& p, std::int64_t i, double p_i);
 

@@ -33,8 +33,9 @@ enum class Law { reference, simplified, decaying, distance };
 /// row; or, for prepared interfaces, a ceiling above the top row, with F_N on the bottom row.
 enum class Support { foundation, ceiling };
 
-/// The normal force that the stiffness k_ij of a block's junctions follows: its p_i, or always that
-/// of an even load, F_N / N_x.
+/// The normal force in the stiffness k_ij of a block's junctions: its p_i, or always the load on
+/// its column, F_N / N_x times slider.load. A foundation spreads the load, so that p_i differs even
+/// at the start.
 enum class StiffnessFrom { current, initial };
 
 /// What becomes of the pinned junctions of a block without contact: they follow it, or they break.

@@ -35,15 +35,21 @@ using FirstRuptures = std::vector<std::optional<double>>;
 /// at the leading edge among them, and that one after at least one other of them.
 bool spans(const Parameters& p, const FirstRuptures& first, double skip_below_x = kLoadingZone);
 
-/// Time without block ruptures that separates events, 5 t_R, the longest along the interface [s].
+/// Time without block ruptures that separates events: 5 t_R, of the median along the interface, so
+/// that no patch sets it [s].
 inline double pause_between_events(const Parameters& p) {
-  return 5.0 * p.t_R.largest();
+  return 5.0 * p.t_R.median();
 }
 
-/// Whether at `t` an event is under way whose last block ruptured at `last_rupture` [s].
-inline bool is_under_way(const Parameters& p, double last_rupture, double t) {
-  return t - last_rupture <= pause_between_events(p);
-}
+/// The latest event up to some moment.
+struct LatestEvent {
+  FirstRuptures first = {};  ///< first rupture of each block in it; empty: not known
+  double last_rupture = 0;   ///< of any block in it; 0 before the first [s]
+
+  /// Whether it is under way at `t`: none of its ruptures is longer ago than `quiet` [s].
+  bool is_under_way(double t, double quiet) const;
+  bool operator==(const LatestEvent&) const = default;
+};
 
 /// What ends a run before its last step. Breaks and events are counted from the start of the run.
 struct EarlyEnd {
@@ -52,30 +58,33 @@ struct EarlyEnd {
   /// Then a smaller fraction than this of the junctions at the leading edge must be pinned, too.
   std::optional<double> arrived_below = {};
   std::optional<std::int64_t> rupture_of = {};  ///< this block ruptures
+  /// Time that separates events; none: pause_between_events() [s].
+  std::optional<double> quiet_time = {};
 
   bool may_come() const { return quiet_steps || spanned || rupture_of; }
   bool operator==(const EarlyEnd&) const = default;
 };
 
-/// Events that a run has seen since it began. With them, an interrupted run continues and
-/// ends as if it had not been.
+/// What a run has seen since it began. With it, an interrupted run continues and ends as if it had
+/// not been.
 struct RunSoFar {
   std::string id = {};                 ///< that all files of the run share (docs/schema.md)
   std::int64_t first_step = 0;         ///< step at which the run began
   std::int64_t last_break = 0;         ///< step at which a junction last broke, or first_step
   std::int64_t ruptures = 0;           ///< block ruptures
   bool leading_edge_ruptured = false;  ///< whether the block at the leading edge was among them
-  FirstRuptures event = {};            ///< the latest event, from the run's start on; empty, as the
-                                       ///< next two, if a build without them began the run
-  double last_rupture = 0;             ///< of any block in this event; 0 before the first [s]
-  bool spanned = false;                ///< whether this event or one before it has spanned
+  LatestEvent event = {};              ///< which may have begun before the run
+  bool spanned = false;                ///< whether an event has spanned since the run began
   EarlyEnd early = {};  ///< by which alone a run that may end early is known to have ended
 
   bool operator==(const RunSoFar&) const = default;
 };
 
-/// A run that begins at this step.
-RunSoFar run_from(const Parameters& p, std::int64_t step);
+/// A run that begins at this step, after this event.
+RunSoFar run_from(const Parameters& p, std::int64_t step, LatestEvent event = {});
+
+/// Time without block ruptures that separates the events of a run [s].
+double quiet_time(const Parameters& p, const EarlyEnd& early);
 
 /// Adds the rupture of a block, later than all before it.
 void add_rupture(const Parameters& p, const Rupture& rupture, RunSoFar& run);

@@ -8,6 +8,7 @@ import signal
 import sys
 from contextlib import suppress
 from functools import partial
+from itertools import takewhile
 
 from rupture.errors import Failure, UsageError, is_of_machine
 from rupture.programs import output_of
@@ -73,6 +74,20 @@ class Parser(argparse.ArgumentParser):
     def add_output(self, text):
         self.add_argument("-o", "--output", metavar="FILE", required=True, help=text)
         self.add_argument("-f", "--force", action="store_true", help="replace an existing file")
+        self.add_argument("-q", "--quiet", action="store_true", help="print errors only")
+
+    def parse_args(self, *given):
+        options = super().parse_args(*given)
+        if getattr(options, "quiet", False):
+            sys.stdout = None  # type: ignore[assignment]  # print() prints nothing then
+        return options
+
+    def parse_known_args(self, args=None, namespace=None):
+        for word in takewhile("--".__ne__, sys.argv[1:] if args is None else args):
+            if re.match("-[A-Za-z]+=", word):
+                why = "has an '=' behind a short option: leave a blank, as in -o x.h5"
+                raise UsageError(f"'{word}' {why}")
+        return super().parse_known_args(args, namespace)
 
     def error(self, message):
         raise UsageError(f"{message}; see {self.prog} --help")
@@ -136,7 +151,8 @@ def exit_code(run, say):
         try:
             return run() or 0
         finally:  # also after --help
-            sys.stdout.flush()
+            if sys.stdout:
+                sys.stdout.flush()
     except Failure as error:
         say(error)
         return 2 if isinstance(error, UsageError) else 3 if is_of_machine(error) else 1

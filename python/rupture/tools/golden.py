@@ -27,7 +27,9 @@ def parse_options():
         " pipeline exited with 77 because it cannot run on this machine.",
         "word",
     )
-    made.add_argument("command", metavar="COMMAND", choices=("check", "regenerate"))
+    made.add_argument(
+        "command", metavar="COMMAND", choices=("check", "regenerate"), help="check or regenerate"
+    )
     text = "the folder of the tools (default: that of this program)"
     made.add_argument("--tools", metavar="FOLDER", help=text)
     text = (
@@ -35,9 +37,10 @@ def parse_options():
         " last run that did not in FOLDER/found (default: <name of GOLDEN>.files)"
     )
     made.add_argument("--work", metavar="FOLDER", help=text)
-    made.add_argument("golden", metavar="GOLDEN", type=Path)
-    made.add_argument("program", metavar="PIPELINE")
-    made.add_argument("arguments", metavar="ARGUMENT", nargs="...").required = False
+    made.add_argument("golden", metavar="GOLDEN", type=Path, help="file with the checksums")
+    made.add_argument("program", metavar="PIPELINE", help="program or script to run")
+    arguments = made.add_argument("arguments", metavar="ARGUMENT", nargs="...", help="of PIPELINE")
+    arguments.required = False
     return made.parse_args()
 
 

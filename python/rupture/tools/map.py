@@ -11,7 +11,7 @@ from rupture.programs import analyze
 from rupture.tables import imported
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, origin_of, progress, say_written
-from rupture.tools.window import add_window, open_record, window_of
+from rupture.tools.window import add_window, last_rupture, open_record, window_of
 
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
@@ -19,6 +19,7 @@ LINE = 0.026  # height of an event's number, of that of the panel
 Shown = namedtuple("Shown", "path record events window")  # a record, and what is drawn of it
 LEGEND = "Marks at the right: an event begins."
 LINE_LEGEND, SPEEDS_LEGEND = "White line: blocks rupture.", "Grey speeds exceed $c_s$."
+PATCH_LEGEND = "Dashed lines: changes of {} along x."
 
 
 def parse_options():
@@ -26,11 +27,11 @@ def parse_options():
         "map RECORD... -o FILE [options]",
         "Draws a record, or an unfinished one, in space and time: the fraction of pinned"
         " junctions, the slip speed and tau/p, and the speeds of its fronts. Of several records:"
-        " a row for each, with the same axes and colours, and the lines of all fronts in one"
-        " panel.",
+        " a row for each, with the same colours and its own time axis, and the lines of all"
+        " fronts in one panel.",
         "record",
     )
-    made.add_argument("records", metavar="RECORD", nargs="+")
+    made.add_argument("records", metavar="RECORD", nargs="+", help="records, or their .part")
     made.add_output("picture to write: .png, .pdf or .svg")
     add_window(made)
     return made.parse_args()
@@ -45,8 +46,15 @@ def shown_of(options, path):
         if len(options.records) == 1:
             raise
         raise type(error)(f"{path}: {error}") from None
-    inside = [one for one in events if one["t_end"] >= begin and one["t_start"] <= end]
+    inside = [one for one in events if last_rupture(one) >= begin and one["t_start"] <= end]
     return Shown(path, record, inside, (begin, end))
+
+
+def ruptured_before(one):
+    """Which blocks had ruptured in the only event of a window before that begins."""
+    event, begin = one.events[0], one.window[0]
+    times = zip(event["t_before"], event["t_rupture"])
+    return [before is not None or t is not None and t < begin for before, t in times]
 
 
 def refuse_other_lengths(shown):
@@ -123,15 +131,47 @@ def fronts_of(shown):
     return chosen, dict(zip(numbers, progress(fronts, len(numbers), "front")))
 
 
-def draw_front_lines(axes, shown, t_zeros, limits):
-    """Where the fronts of several records are at which time within these limits [ms]."""
-    for one, t_zero, colour in zip(shown, t_zeros, itertools.cycle(plotting.LINES)):
+def patches_of(record):
+    """Where parameters change along x [x/L], by name: between two blocks, or at the ends of a
+    slope."""
+    between, found = (record.x[1:] + record.x[:-1]) / (2 * record.x[-1]), {}
+    for name, values in record.parameters.items():
+        if isinstance(values, list):
+            change = np.pad(np.array(values[1:]) != values[:-1], 1)
+            found[name] = between[change[1:-1] & ~(change[:-2] & change[2:])].tolist()
+    return found
+
+
+def mark_patches(axes, patches):
+    for x in itertools.chain(*patches.values()):
+        for colour, style in (("white", "-"), (plotting.BLACK, (0, (4, 4)))):  # seen on any colour
+            axes.axvline(x, color=colour, linestyle=style, linewidth=0.7)
+
+
+def gaps_of(record, times):
+    """Behind which blocks the line of a front breaks off [indices], where it is at these times: of
+    two neighbours, one was pinned again before the other ruptured."""
+    pinned, gaps = record.pinned_fraction, []
+    for block, pair in enumerate(zip(times[:-1], times[1:])):
+        meanwhile = (record.time > min(pair)) & (record.time < max(pair))
+        first = pinned[meanwhile, block + (pair[1] < pair[0])]
+        if (first > plotting.PINNED_AGAIN).any():
+            gaps.append(block + 1)
+    return gaps
+
+
+def draw_front_lines(axes, shown, t_zeros, windows):
+    """Where the fronts of several records are at which time within their windows [ms]."""
+    colours = itertools.cycle(plotting.LINES)
+    for one, t_zero, window, colour in zip(shown, t_zeros, windows, colours):
         label = plotting.plain_text(one.record.path.name)
         for front in fronts_of(one)[1].values():
             x, time = np.array(front["x"]), np.array(front["t_front"], dtype=float)
             shift = (time - t_zero) * plotting.MILLISECONDS
-            shift[(shift < limits[0]) | (shift > limits[1])] = np.nan
-            axes.plot(x / front["L"], shift, ".-", color=colour, lw=1, label=label)
+            shift[(shift < window[0]) | (shift > window[1])] = np.nan
+            gaps = gaps_of(one.record, time)
+            x, shift = np.insert(x / front["L"], gaps, np.nan), np.insert(shift, gaps, np.nan)
+            axes.plot(x, shift, ".-", color=colour, lw=1, label=label)
             label = None
     plotting.along_interface(axes)
     legend = axes.legend(fontsize=6.5, title="fronts", loc="lower center", bbox_to_anchor=(0.5, 1))
@@ -174,7 +214,6 @@ def figure_of(shown, since_event):
         [(t - t_zero) * plotting.MILLISECONDS for t in one.window]
         for one, t_zero in zip(shown, t_zeros)
     ]
-    limits = min(begin for begin, _ in windows), max(end for _, end in windows)
     images = [
         (one.record, plotting.rows_in(one.record, t_zero, window), t_zero)
         for one, t_zero, window in zip(shown, t_zeros, windows)
@@ -186,27 +225,34 @@ def figure_of(shown, since_event):
         [[figure.add_subplot(grid[row, n]) for n in range(3)] for row in range(len(shown))]
     )
     last = figure.add_subplot(grid[:, 3])
-    for axes, (record, _, t_zero), window in zip(maps[:, 0], images, windows):
-        image = plotting.draw_pinned(axes, record, t_zero, window, line=single)
+    for axes, one, (record, _, t_zero), window in zip(maps[:, 0], shown, images, windows):
+        before = ruptured_before(one) if single else False
+        image = plotting.draw_pinned(axes, record, t_zero, window, line=single, ruptured=before)
     plotting.draw_pinned_scale(figure, image, maps[:, 0], location="top")
     draw_slip_speeds(figure, maps[:, 1], images)
     draw_tau_over_p(figure, maps[:, 2], images)
-    for row, one, t_zero in zip(maps, shown, t_zeros):
+    patches = [patches_of(one.record) for one in shown]
+    for row, one, t_zero, window, changes in zip(maps, shown, t_zeros, windows, patches):
         for panel in row:
-            panel.set(ylim=limits)
+            panel.set(ylim=window)
+            mark_patches(panel, changes)
             mark_events(panel, one.events, t_zero, numbered=panel is row[2])
             panel.label_outer()
         row[0].set_ylabel("time since the event began [ms]" if single else "time [ms]")
         if len(shown) > 1:
             row[0].set_title(title_of(one, t_zero), loc="left")
     maps[0, 2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
+    if patches.count(patches[0]) == len(patches):
+        mark_patches(last, patches[0])
     if len(shown) > 1:
-        draw_front_lines(last, shown, t_zeros, limits)
+        draw_front_lines(last, shown, t_zeros, windows)
         last.set_ylabel(maps[0, 0].get_ylabel())
     else:
         draw_speeds(last, shown[0])
         figure.suptitle(title_of(shown[0], t_zeros[0]))
     legends = [LINE_LEGEND] * single + [LEGEND] + [SPEEDS_LEGEND] * (len(shown) == 1)
+    if varying := sorted({*itertools.chain(*patches)}):
+        legends.append(PATCH_LEGEND.format(", ".join(varying)))
     figure.supxlabel(" ".join(legends), fontsize=7)
     return figure
 

@@ -33,7 +33,7 @@ def parse_options():
         " slider above it, coloured by its speed, shear stress or displacement.",
         "record",
     )
-    made.add_argument("record", metavar="RECORD")
+    made.add_argument("record", metavar="RECORD", help="record, or its .part")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
     text = f"quantity that colours the slider{DEFAULT}"
     made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)
@@ -209,7 +209,8 @@ def run():
     events = analyze("events", options.record)["events"]
     window = window_of(options, record, events)
     shown = [n for n, one in enumerate(events) if window[0] <= one["t_start"] <= window[1]]
-    fronts = [analyze("front", options.record, event=number) for number in shown]
+    numbers = progress(shown, len(shown), "front")
+    fronts = [analyze("front", options.record, event=number) for number in numbers]
     with complete(options.output, options.force) as path, reasons_of_ffmpeg(options.output, path):
         draw_frames(pyplot, record, window, fronts, options, path)
     say_written(options.output)

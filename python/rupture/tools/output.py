@@ -43,8 +43,9 @@ def check_output(name, force, endings=(), inputs=()):
 
 
 def progress(items, count, what):
-    """Yields the items, and shows the progress in one line of the terminal."""
-    on_terminal = sys.stderr.isatty()
+    """Yields the items, and shows the progress in one line of the terminal, unless --quiet has
+    closed standard output."""
+    on_terminal = sys.stdout and sys.stderr.isatty()
     for number, item in enumerate(items, 1):
         if on_terminal:
             print(f"{CLEAR}{what} {number} of {count}", end="", file=sys.stderr, flush=True)

@@ -30,7 +30,7 @@ def parse_options():
         " text: the fraction of pinned junctions along it. Ends when the record is finished.",
         "record",
     )
-    made.add_argument("record", metavar="RECORD.part")
+    made.add_argument("record", metavar="RECORD.part", help="record of a run in progress")
     made.add_time("--every", f"time between updates{DEFAULT}", least=0.01, most=86400, default=1.0)
     made.add_argument("--text", action="store_true", help="text, even if there is a display")
     return made.parse_args()

@@ -30,6 +30,14 @@ def open_record(path):
     return record
 
 
+def last_rupture(event):
+    """Of an event, as far as the record shows it [s]. Blocks that rupture again do not count if it is
+    not over."""
+    if event["t_end"] is not None:
+        return event["t_end"]
+    return max(t for t in (*event["t_rupture"], event["t_start"]) if t is not None)
+
+
 def window_of_event(events, number):
     """[s], [s]"""
     if number == FIRST_SPANNING:
@@ -40,7 +48,7 @@ def window_of_event(events, number):
         known = f"{len(events)} events, numbers 0 to {len(events) - 1}"
         has = {0: "no events", 1: "1 event, number 0"}.get(len(events), known)
         raise UsageError(f"there is no event {number}: the record has {has}")
-    start, end = events[number]["t_start"], events[number]["t_end"]
+    start, end = events[number]["t_start"], last_rupture(events[number])
     margin = max(MARGIN * (end - start), LEAST_MARGIN)
     return start - margin, end + margin
 

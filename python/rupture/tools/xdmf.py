@@ -1,6 +1,7 @@
 """xdmf: checkpoints, or the fields of a record, for ParaView and VTK."""
 
 import io
+import math
 import os
 from collections import namedtuple
 from functools import partial
@@ -13,7 +14,7 @@ import numpy as np
 from rupture.elasticity import STRESSES, stress_of
 from rupture.errors import Failure, UsageError
 from rupture.files import Record, open_file
-from rupture.programs import analyze
+from rupture.programs import analyze, verify
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, progress, say_written
 
@@ -37,9 +38,16 @@ def parse_options():
         " FILE-derived.hdf5.",
         "file",
     )
-    made.add_argument("files", metavar="FILE", nargs="+")
+    made.add_argument("files", metavar="FILE", nargs="+", help="checkpoints, or one record")
     made.add_output("file to write: .xdmf")
     return made.parse_args()
+
+
+def short(time):
+    """The short decimal that a time is but for the rounding of steps times dt: 0.8, not
+    0.7999999999999999. Other times stay as they are."""
+    rounded = float(f"{time:.12g}")
+    return rounded if math.isclose(rounded, time, rel_tol=1e-15) else float(time)
 
 
 def arrays_of(checkpoint):
@@ -55,6 +63,7 @@ def fields_of(record):
         raise Failure(f"{record.path} is unfinished: complete it with rupture finish")
     if "fields/time" not in record:
         raise Failure(f"{record.path} has no fields: run it again with --fields")
+    verify(record.path)
     times = record["fields/time"]
     rows = np.searchsorted(record.time, times)
     arrays = {name: record[f"fields/{name}"] for name in DISPLACEMENT}
@@ -64,7 +73,9 @@ def fields_of(record):
     def at(number):
         return {name: array[number].astype(float) for name, array in arrays.items()}
 
-    return [Step(time, record, (n, len(times)), partial(at, n)) for n, time in enumerate(times)]
+    return [
+        Step(short(time), record, (n, len(times)), partial(at, n)) for n, time in enumerate(times)
+    ]
 
 
 def steps_of(files):
@@ -76,7 +87,7 @@ def steps_of(files):
     for file in files:
         if isinstance(file, Record):
             raise UsageError(f"{file.path} is a record: give checkpoints, or one record alone")
-        other = series.setdefault(file.time, file)
+        other = series.setdefault(short(file.time), file)
         if other.checksum != file.checksum:
             raise Failure(
                 f"{other.path} and {file.path} are different states of t ="
@@ -128,7 +139,7 @@ def grid(name, time, shape, points, attributes):
     """Blocks are points, rows first. (VTK's readers disagree about
     their plane; so the positions stand in the file.)"""
     return (
-        f'<Grid Name="{name}"><Time Value="{float(time)!r}"/>'
+        f'<Grid Name="{name}"><Time Value="{time!r}"/>'
         f'<Topology TopologyType="2DSMesh" Dimensions="{size_of(shape)}"/>'
         f'<Geometry GeometryType="XYZ">{item(points, (*shape, 3))}</Geometry>'
         f"{''.join(attributes)}</Grid>\n"

@@ -105,9 +105,10 @@ Report estimate_of(const Checkpoint& checkpoint, int n) {
       ensemble_quantities(ensemble),
       {course_of(relax(parameters, 0)), {"block", "", "", Group{block}}},
   });
-  return {rows, fmt::format(
-                    "Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} mm/s\n{}",
-                    p, t_R * 1e3, v * 1e3, relaxation_text(ensemble))};
+  const std::string answer =
+      fmt::format("Eq. S1 at the mean normal force {:.5g} N, <t_R> = {:.5g} ms: {:.4f} mm/s\n{}", p,
+                  t_R * 1e3, v * 1e3, relaxation_text(ensemble));
+  return {rows, "", answer};
 }
 
 // From slower than any fault creeps to about the speed of sound.

@@ -120,7 +120,7 @@ std::string report_text(const Json& json, const Pair& pair, bool all) {
       cut > 0 ? fmt::format("arrays compared only in the rows that both have: {}\n", cut.dump())
               : "";
   if (json["equal"]) return rows + "equal\n";
-  return rows + (all ? datasets_text(json, pair) : summary_text(json));
+  return times_text(json["time"]) + rows + (all ? datasets_text(json, pair) : summary_text(json));
 }
 
 int compare(const Parsed& parsed) {
@@ -138,6 +138,7 @@ int compare(const Parsed& parsed) {
   Json json = {{"equal", differences.empty()},
                {"datasets", std::ssize(pair.a) + added},  // that at least one of the files holds
                {"cut", cut},
+               {"time", times_json(a, b)},
                {"differences", Json::array()}};
   for (const auto& d : differences) json["differences"].push_back(difference_json(pair, d));
   const bool all = parsed.values.count("all") > 0;
@@ -154,9 +155,9 @@ constinit const Command diff_command = {
     "file",
     "where and by how much two files differ",
     R"(Compares the parameters and the state of two checkpoints, or the series of two records. Like the
-content checksum, it ignores parameters that the interface law does not use. It prints which
-parameters differ, the last file that both come from and its time, and how much else differs:
-of records, from which sample on. With --all it prints for each dataset how many values differ,
+content checksum, it ignores parameters that the interface law does not use. It prints the
+times of states if they differ, which parameters differ, the last file that both come from and
+its time, and how much else differs: of records, from which sample on. With --all it prints for each dataset how many values differ,
 the first of them, and the largest difference: absolute, relative and in units in the last
 place (ULP), each with its place, [row][column], and the values in A and B.
 Exit code 0: equal, 1: different.)",

@@ -8,19 +8,22 @@ namespace rupture::tools {
 namespace {
 
 /// The type, and what is reported with it.
-Quantities kind_quantities(const Front& front) {
-  return {
+Quantities kind_quantities(const Front& front, const EventEnd& end) {
+  const Quantities kind = {
       type_quantity(front),
-      {"reached_edge", "", "whether the block at the leading edge ruptured", front.reached_edge},
+      {"reached_edge", "", "whether the block at the leading edge ruptured",
+       if_known(front.reached_edge || end.is_over, front.reached_edge)},
       {"fast_slow_fast", "",
        "whether it spans and is below c_s/10 over three stencils or more, with medians of at least "
-       "c_s/10 before and after",
-       front.fast_slow_fast},
+       "c_s/10 before and after; null if the event is not over and has not spanned, or if all "
+       "speeds before are those of the event before the window",
+       if_known(front.fast_slow_fast != Answer::unknown, front.fast_slow_fast == Answer::yes)},
       {"backward_stencils", "1", "stencils beyond the loading zone where the front runs backwards",
        static_cast<std::int64_t>(front.backward_stencils)},
       {"ahead", "1", "blocks beyond the loading zone that ruptured before the front was there",
        static_cast<std::int64_t>(front.ahead)},
   };
+  return join({kind, hidden_quantities(front, end)});
 }
 
 /// In JSON alone.
@@ -32,11 +35,13 @@ Quantities speeds_of(const Front& front) {
   };
 }
 
-Quantities classification_of(const Front& front) {
+Quantities classification_of(const Front& front, const EventEnd& end) {
   const Quantity arrest = {"x_arrest", "m", "furthest ruptured block of an arrested front",
                            front.x_arrest};
-  return join(
-      {kind_quantities(front), {arrest}, speeds_of(front), {criteria_quantity(front.criteria)}});
+  return join({kind_quantities(front, end),
+               {arrest},
+               speeds_of(front),
+               {criteria_quantity(front.criteria)}});
 }
 
 Quantities times_of(const Front& front) {
@@ -44,6 +49,11 @@ Quantities times_of(const Front& front) {
       {"t_rupture", "s", "first rupture of each block", front.line.t_rupture},
       {"t_front", "s", "time at which the front is at each block", front.t_front},
   };
+}
+
+Quantity times_before(const Front& front) {
+  return {"t_before", "s", "first rupture of each block in the event, before the window begins",
+          front.line.before};
 }
 
 /// With which speeds and positions are compared.
@@ -54,50 +64,66 @@ Quantities scales_of(const Parameters& p) {
   };
 }
 
-Quantities quantities_of(const Front& front, const Parameters& p) {
+Quantities quantities_of(const Front& front, const EventEnd& end, const Parameters& p) {
   const TextColumn times = {17, "{:.7f}"}, speeds = {12, "{:.4g}"};
   Quantities line = times_of(front);
   for (Quantity& row : line) row = in_csv(row, times);
   line.insert(line.begin(), positions(front.line.x));
   line.push_back({"v_c", "m/s", "front speed at each block", front.v_c, Csv::yes, speeds});
+  line.push_back(times_before(front));
   return join(
-      {line, classification_of(front), {stretch_quantity("slow", front.slow)}, scales_of(p)});
+      {line, classification_of(front, end), {stretch_quantity("slow", front.slow)}, scales_of(p)});
 }
 
-Quantities event_quantities(const Parameters& p, const Event& event, std::int64_t number) {
+Quantities event_quantities(const Parameters& p, const Event& event, double quiet,
+                            std::int64_t number) {
   const TextColumn times = {13, "{:.7f}"};
-  const double drop = event.F_T_before - event.F_T_after;
+  const EventEnd end = {event.silence, quiet, event.front.line.is_over};
+  const auto when_over = [&](double value) {
+    return end.is_over ? std::optional(value) : std::nullopt;
+  };
+  const auto F_T_after = when_over(event.F_T_after),
+             drop = when_over(event.F_T_before - event.F_T_after);
+  const bool has_spanned = spans(event.front.type);
   const std::string slow = "   " + kind_text(event.front, shear_wave_speed(p));
-  Quantities kind = kind_quantities(event.front);
+  Quantities kind = kind_quantities(event.front, end);
   for (Quantity& row : kind) row = in_csv(row);
   const Quantities before = {
       {"number", "1", "number for --event, from 0", number, Csv::yes, TextColumn{6}},
-      {"t_start", "s", "first block rupture of the event", event.t_start, Csv::yes, times},
-      {"t_end", "s", "last block rupture of the event", event.t_end, Csv::yes, times},
+      {"t_start", "s", "first block rupture of the event in the record", event.t_start, Csv::yes,
+       times},
+      {"t_end", "s", "last block rupture of the event", when_over(event.t_end), Csv::yes, times},
       {"x_first", "m", "block that ruptured first", event.x_first, Csv::yes},
-      {"x_last", "m", "furthest block that ruptured", event.x_last, Csv::yes,
+      {"x_last", "m", "furthest block that ruptured",
+       if_known(end.is_over || event.front.reached_edge, std::optional(event.x_last)), Csv::yes,
        TextColumn{15, "{:.4f}", "reaches x [m]"}},
       {"spanning", "",
        "whether more than half of the blocks beyond the loading zone ruptured, including the "
        "leading edge, which was not the first",
-       spans(event.front.type), Csv::yes},
+       if_known(end.is_over || has_spanned, has_spanned), Csv::yes},
       text_only(kind_name(event.front), {16, "{}", "type"}),
   };
   const Quantities after = {
       in_csv(stretch_quantity("slow", event.front.slow)),
       {"F_T_before", "N", "driving force at the first rupture", event.F_T_before, Csv::yes},
-      {"F_T_after", "N", "lowest driving force until the event is over", event.F_T_after, Csv::yes},
+      {"F_T_after", "N", "lowest driving force until the event is over", F_T_after, Csv::yes},
       text_only(drop, {18, "{:.1f}", "drop of F_T [N]"}),
       text_only(slow, {0}),
   };
-  return join({before, kind, after, speeds_of(event.front), scales_of(p), times_of(event.front)});
+  return join({before,
+               kind,
+               after,
+               speeds_of(event.front),
+               scales_of(p),
+               times_of(event.front),
+               {times_before(event.front)}});
 }
 
 Quantities quantities_of(const Parameters& p, const std::vector<Event>& events,
-                         const FrontCriteria& criteria) {
-  List list = {event_quantities(p, {}, 0), {}};
+                         const FrontCriteria& criteria, double quiet) {
+  List list = {event_quantities(p, {}, quiet, 0), {}};
   for (std::size_t n = 0; n < events.size(); ++n) {
-    list.elements.push_back(event_quantities(p, events[n], static_cast<std::int64_t>(n)));
+    list.elements.push_back(event_quantities(p, events[n], quiet, static_cast<std::int64_t>(n)));
   }
   return {{"events", "", "", list}, criteria_quantity(criteria)};
 }
@@ -157,13 +183,21 @@ int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
   return kDone;
 }
 
+/// What the record does not show of its first and last event.
+std::string events_text(const Parameters& p, const std::vector<Event>& events, double quiet) {
+  const Event &first = events.front(), &last = events.back();
+  return hidden_text(first.front, {}) +
+         hidden_text({}, {last.silence, quiet, last.front.line.is_over}) + apart_text(p, quiet);
+}
+
 Report report_of_events(const RecordCommand& command) {
   const Record& record = command.record;
   const FrontCriteria how = criteria(command);
-  const auto events = find_events(record.parameters, record.ruptures, {record.time, record.F_T},
-                                  quiet_time(command), how);
-  const Quantities rows = quantities_of(record.parameters, events, how);
-  if (!events.empty()) return {rows, ""};
+  const double quiet = quiet_time(command);
+  const auto events =
+      find_events(record.parameters, record.ruptures, {record.time, record.F_T}, quiet, how);
+  const Quantities rows = quantities_of(record.parameters, events, how, quiet);
+  if (!events.empty()) return {rows, events_text(record.parameters, events, quiet)};
   return {rows, fmt::format("no events: nothing ruptured from t = {:.7g} s to {:.7g} s\n",
                             record.time.front(), record.time.back())};
 }
@@ -172,12 +206,13 @@ Report report_of_front(const RecordCommand& command) {
   const ChosenEvent event = choose_event(command);
   const Front front = front_of(command, event);
   const Parameters& p = command.record.parameters;
-  return {quantities_of(front, p), front_text(front, shear_wave_speed(p), event)};
+  return {quantities_of(front, event.end, p), front_text(front, p, event)};
 }
 
 Report report_of_type(const RecordCommand& command) {
-  const Front front = front_of(command, choose_event(command));
-  return {classification_of(front), kind_name(front) + "\n"};
+  const ChosenEvent event = choose_event(command);
+  const Front front = front_of(command, event);
+  return {classification_of(front, event.end), kind_name(front) + "\n"};
 }
 
 }  // namespace
@@ -189,7 +224,7 @@ constinit const Command events_command = {
     "Splits the block ruptures of a record into events, numbered from 0.",
     {add_format_options, add_quiet_time_option, add_criteria_options, add_also_option},
     [](const Parsed& parsed) { return print_each(parsed, report_of_events); },
-    [] { return quantities_of(Parameters{}, std::vector<Event>{}, {}); }};
+    [] { return quantities_of(Parameters{}, std::vector<Event>{}, {}, 0.0); }};
 
 constinit const Command front_command = {
     "analyze front RECORD",
@@ -201,7 +236,7 @@ constinit const Command front_command = {
     "event that the trigger started.",
     {add_format_options, add_event_options, add_criteria_options, add_also_option},
     [](const Parsed& parsed) { return print_each(parsed, report_of_front); },
-    [] { return quantities_of(Front{}, Parameters{}); }};
+    [] { return quantities_of(Front{}, {}, Parameters{}); }};
 
 constinit const Command classify_command = {
     "analyze classify RECORD",
@@ -211,6 +246,6 @@ constinit const Command classify_command = {
     "fast-slow-fast.",
     {add_json_option, add_event_options, add_criteria_options, add_also_option},
     [](const Parsed& parsed) { return print_each(parsed, report_of_type); },
-    [] { return classification_of({}); }};
+    [] { return classification_of({}, {}); }};
 
 }  // namespace rupture::tools

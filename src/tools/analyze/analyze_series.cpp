@@ -45,8 +45,7 @@ Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fas
   const Record& record = command.record;
   const Parameters& p = record.parameters;
   const auto i = static_cast<std::size_t>(block);
-  const auto line = rupture_line(p, record.ruptures, command.from, command.to);
-  const auto& t_rupture = line.t_rupture[i];
+  const auto t_rupture = first_ruptures(p, record.ruptures, command.from, command.to)[i];
   std::vector<double> time, u_x, slip;
   for (std::size_t n = 0; n < record.time.size(); ++n) {
     if (record.time[n] < command.from || record.time[n] > command.to) continue;
@@ -66,7 +65,7 @@ Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fas
     return measure && measure->slow ? std::optional((*measure->slow).*member) : std::nullopt;
   };
   const Quantities rows = {
-      {"x", "m", "position of the block", line.x[i]},
+      {"x", "m", "position of the block", block_position(p, block)},
       {"t_rupture", "s", "first rupture of the block", t_rupture},
       {"t_arrest", "s", "time at which the block first stops after its rupture",
        measured(&SlipMeasure::t_arrest)},
@@ -84,7 +83,7 @@ Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fas
       {"time", "s", "time of each sample", time, Csv::yes},
       {"slip", "m", "slip since the start of the window, at each sample", slip, Csv::yes},
   };
-  return {rows, slip_text(line.x[i], t_rupture, measure)};
+  return {rows, slip_text(block_position(p, block), t_rupture, measure)};
 }
 
 Quantities quantities_of(const Record& record) {

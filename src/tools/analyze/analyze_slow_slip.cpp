@@ -155,7 +155,7 @@ constinit const Command slow_slip_command = {
                              slow_slip_criteria(parsed.values));
       Report report = report_of(front, slips);
       if (front.type == FrontType::none || event.in_window > 1) {
-        report.closing += front_text(front, shear_wave_speed(command.record.parameters), event);
+        report.closing += front_text(front, command.record.parameters, event);
       }
       return print(report, parsed.values);
     },

@@ -187,18 +187,30 @@ int verify(const Parsed& parsed) {
   return kDone;
 }
 
+/// Prints nothing if one of several files is not intact.
+int print_checksums(const Parsed& parsed) {
+  const auto files = files_of(parsed);
+  if (files.empty()) throw UsageError("no file was given: name a file");
+  std::string text;
+  for (const auto& file : files) {
+    const std::string name = files.size() > 1 ? "  " + in_one_line(file) : "";
+    text += verify_file(file).checksum + name + "\n";
+  }
+  say("{}", text);
+  return kDone;
+}
+
 }  // namespace
 
 constinit const Command checksum_command = {
-    "analyze checksum FILE",
+    "analyze checksum FILE...",
     "file",
-    "content checksum of a file",
-    "Verifies the file and prints its content checksum, 64 hex digits.",
+    "content checksums of files",
+    "Verifies the file and prints its content checksum, 64 hex digits. Of several files, each "
+    "line\n"
+    "has the name, too, as in a manifest for rupture analyze verify.",
     {},
-    [](const Parsed& parsed) {
-      say("{}\n", verify_file(single_input(parsed.values, "file", "a file")).checksum);
-      return int{kDone};
-    }};
+    print_checksums};
 
 constinit const Command verify_command = {
     "analyze verify FILE|FOLDER...",

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "cli/text.hpp"
+#include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/checkpoint/provenance.hpp"
 
@@ -117,6 +118,21 @@ std::string differences_line(const Json& report) {
 }
 
 }  // namespace
+
+Json times_json(const ContentFile& a, const ContentFile& b) {
+  if (a.kind != FileKind::checkpoint) return nullptr;
+  const auto time_of = [](const ContentFile& file) {
+    const Checkpoint checkpoint = checkpoint_from(file.content);
+    return time(checkpoint.parameters, checkpoint.state);
+  };
+  return {{"a", time_of(a)}, {"b", time_of(b)}};
+}
+
+std::string times_text(const Json& times) {
+  if (times.is_null() || times["a"] == times["b"]) return "";
+  return fmt::format("different times: t = {:.10g} s and {:.10g} s\n", times["a"].get<double>(),
+                     times["b"].get<double>());
+}
 
 Json summary_json(const ContentFile& a, const ContentFile& b, const Pair& pair) {
   return {{"parameters", parameters_json(a, b)},

@@ -12,6 +12,12 @@ struct Pair {
   Content a, b;
 };
 
+/// {"a", "b"}: when the states are [s]; null of records. Throws Failure if they are no states.
+Json times_json(const ContentFile& a, const ContentFile& b);
+
+/// A line if the times differ, else nothing.
+std::string times_text(const Json& times);
+
 /// {"parameters", "ancestor", "first_sample"}: docs/schema.md. Throws Failure if parameters cannot
 /// be read.
 Json summary_json(const ContentFile& a, const ContentFile& b, const Pair& pair);

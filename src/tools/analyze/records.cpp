@@ -25,10 +25,15 @@ void check_overlap(const RecordCommand& command) {
 
 using Bursts = std::vector<std::span<const Rupture>>;
 
+/// When the window begins in which ruptures count.
+double first_moment(const RecordCommand& command) {
+  return std::max(command.from, just_after(command.record.time.front()));
+}
+
 /// Numbers of the events with ruptures in the window.
 std::vector<std::size_t> numbers_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto counts = [&](const Rupture& rupture) {
-    return rupture.time >= command.from && rupture.time <= command.to;
+    return rupture.time >= first_moment(command) && rupture.time <= command.to;
   };
   std::vector<std::size_t> numbers;
   for (std::size_t n = 0; n < bursts.size(); ++n) {
@@ -52,9 +57,37 @@ std::string list_of(const Bursts& bursts, const std::vector<std::size_t>& number
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// An event in a window, with what the record knows of it from before.
+ChosenEvent part_in_window(const RecordCommand& command, std::span<const Rupture> burst,
+                           double from, double to) {
+  const double quiet = quiet_time(command), record_end = command.record.time.back();
+  const auto later = std::ranges::upper_bound(burst, to, {}, &Rupture::time);
+  const bool goes_on = later != burst.end();  // beyond the window
+  const double silence = (goes_on ? to : record_end) - std::prev(later)->time;
+  const bool is_whole = command.values.count("from") + command.values.count("to") == 0;
+  return {burst,
+          from,
+          to,
+          1,
+          {silence, quiet, !goes_on && is_over(silence, quiet), is_whole ? "record" : "window"}};
+}
+
+/// The event that is under way when a window begins in which nothing ruptures, if there is one.
+ChosenEvent silent_event(const RecordCommand& command) {
+  const double from = first_moment(command), quiet = quiet_time(command);
+  ChosenEvent event = {{}, from, command.to};
+  for (const auto burst : split_at_pauses(command.record.ruptures, quiet)) {
+    const auto next = std::ranges::lower_bound(burst, from, {}, &Rupture::time);
+    if (next == burst.begin() || from - std::prev(next)->time > quiet) continue;
+    event = part_in_window(command, burst, from, command.to);
+  }
+  event.in_window = 0;
+  return event;
+}
+
 ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) {
   const auto numbers = numbers_in_window(command, bursts);
-  if (numbers.empty()) return {{}, command.from, command.to, 0};
+  if (numbers.empty()) return silent_event(command);
   const Record& record =
       command.record;  // whether it begins with the trigger of a prepared interface
   const bool is_trigger =
@@ -65,16 +98,22 @@ ChosenEvent event_in_window(const RecordCommand& command, const Bursts& bursts) 
         "first-spanning, or with --from and --to",
         numbers.size(), list_of(bursts, numbers));
   }
-  return {bursts[numbers.front()], command.from, command.to, numbers.size()};
+  ChosenEvent event =
+      part_in_window(command, bursts[numbers.front()], first_moment(command), command.to);
+  event.in_window = numbers.size();
+  return event;
 }
 
-ChosenEvent whole_event(std::span<const Rupture> burst) {
-  return {burst, burst.front().time, burst.back().time};
+ChosenEvent whole_event(const RecordCommand& command, const Bursts& bursts, std::size_t number) {
+  const auto burst = bursts[number];
+  const double from = std::max(burst.front().time, first_moment(command));
+  return part_in_window(command, burst, from, burst.back().time);
 }
 
 ChosenEvent first_spanning(const RecordCommand& command, const Bursts& bursts) {
-  for (const auto burst : bursts) {
-    if (spans(front_of(command, whole_event(burst)).type)) return whole_event(burst);
+  for (std::size_t n = 0; n < bursts.size(); ++n) {
+    const ChosenEvent event = whole_event(command, bursts, n);
+    if (spans(front_of(command, event).type)) return event;
   }
   throw Failure(
       "no event in the record spans the interface: give --event N (rupture analyze events RECORD "
@@ -93,7 +132,7 @@ ChosenEvent event_number(const RecordCommand& command, const Bursts& bursts,
         "first-spanning (got {})",
         text);
   }
-  if (number < bursts.size()) return whole_event(bursts[number]);
+  if (number < bursts.size()) return whole_event(command, bursts, number);
   if (bursts.empty() && number == 0) return event_in_window(command, bursts);
   if (bursts.empty()) throw UsageError("there is no event {}: nothing ruptured", text);
   if (bursts.size() == 1) {
@@ -146,9 +185,13 @@ double skip_below_x(const RecordCommand& command, std::size_t half_stencil) {
 constexpr std::array<std::string_view, 2> kLines = {"contiguous", "raw"};
 
 std::string stretch_text(double limit, const SlowStretch& slow, double c_s) {
-  return fmt::format(
-      "below c_s/{:.3g} from x = {:.4f} m to {:.4f} m for {:.3g} ms at {:.3g} m/s (c_s/{:.0f})",
-      1.0 / limit, slow.x_from, slow.x_to, slow.duration() * 1e3, slow.speed, c_s / slow.speed);
+  std::string text = fmt::format(
+      "below c_s/{:.3g} over {} stencil{} with centres from x = {:.4f} m to {:.4f} m", 1.0 / limit,
+      slow.stencils, slow.stencils == 1 ? "" : "s", slow.x_from, slow.x_to);
+  if (slow.duration()) text += fmt::format(" for {:.3g} ms", *slow.duration() * 1e3);
+  text += fmt::format(", median {:.3g} m/s (c_s/{:.0f})", slow.speed, c_s / slow.speed);
+  if (slow.mean_speed()) text += fmt::format(", length/duration {:.3g} m/s", *slow.mean_speed());
+  return text;
 }
 
 std::string slow_text(const Front& front, double c_s) {
@@ -203,7 +246,10 @@ double quiet_time(const RecordCommand& command) {
 
 ChosenEvent choose_event(const RecordCommand& command) {
   const auto& values = command.values;
-  const Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
+  Bursts bursts = split_at_pauses(command.record.ruptures, quiet_time(command));
+  if (!bursts.empty() && bursts.front().back().time <= command.record.time.front()) {
+    bursts.erase(bursts.begin());
+  }
   if (values.count("event") == 0) return event_in_window(command, bursts);
   const auto& name = values["event"].as<std::string>();
   return name == "first-spanning" ? first_spanning(command, bursts)
@@ -254,11 +300,51 @@ Quantity criteria_quantity(const FrontCriteria& criteria) {
 
 Front front_of(const RecordCommand& command, const ChosenEvent& event) {
   const Parameters& p = command.record.parameters;
-  return measure_front(p, rupture_line(p, event.ruptures, event.from, event.to), criteria(command));
+  RuptureLine line = rupture_line(p, event.ruptures, event.from, event.to);
+  line.is_over = event.end.is_over;
+  return measure_front(p, std::move(line), criteria(command));
+}
+
+Quantities hidden_quantities(const Front& front, const EventEnd& end) {
+  const bool has_event = front.type != FrontType::none;
+  return {
+      {"ruptured_before", "1", "blocks that had ruptured in the event before the window begins",
+       static_cast<std::int64_t>(front.line.ruptured_before())},
+      {"is_over", "", "whether nothing ruptured for quiet_time after the event; null without one",
+       if_known(has_event, end.is_over)},
+      {"silence", "s", "from the last rupture of the event to the end of the window",
+       if_known(has_event, std::optional(end.silence))},
+      {"quiet_time", "s", "time without ruptures after which an event is over", end.quiet_time},
+  };
+}
+
+std::string hidden_text(const Front& front, const EventEnd& end) {
+  std::string text;
+  if (const auto before = front.line.ruptured_before(); before > 0) {
+    text += fmt::format("{} block{} had ruptured before the {} begins\n", before,
+                        before == 1 ? "" : "s", end.window);
+  }
+  if (!end.is_over) {
+    text += fmt::format(
+        "the {} ends {:.3g} ms after the last rupture; an event is over after {:g} ms\n",
+        end.window, end.silence * 1e3, end.quiet_time * 1e3);
+  }
+  return text;
+}
+
+std::string apart_text(const Parameters& p, double quiet) {
+  const double shortest = p.t_R.smallest(), longest = p.t_R.largest();
+  if (longest < 2.0 * shortest) return "";
+  return fmt::format(
+      "t_R varies along x, from {:g} to {:g} ms; a pause of {:g} ms separates events (default: 5 "
+      "times the median; --quiet-time)\n",
+      shortest * 1e3, longest * 1e3, quiet * 1e3);
 }
 
 Quantity type_quantity(const Front& front) {
-  return {"type", "", "none, arrested, slow or fast", std::string(front_type_name(front.type))};
+  const bool known = front.type != FrontType::unfinished;
+  return {"type", "", "none, arrested, slow or fast; null: the event is not over, and may span",
+          if_known(known, std::string(front_type_name(front.type)))};
 }
 
 Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretch>& slow) {
@@ -269,11 +355,11 @@ Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretc
       {"x_to", "m", "centre of the last slow stencil", known(s.x_to)},
       {"t_from", "s", "time at which the slow stretch begins", known(s.t_from)},
       {"t_to", "s", "time at which the slow stretch ends", known(s.t_to)},
-      {"duration", "s", "duration of the slow stretch", known(s.duration())},
+      {"duration", "s", "duration of the slow stretch, of three stencils or more", s.duration()},
       {"speed", "m/s", "median front speed in the slow stretch", known(s.speed)},
       {"slowest", "m/s", "smallest front speed in the slow stretch", known(s.slowest)},
       {"stencils", "1", "slow stencils in it", known(static_cast<double>(s.stencils))},
-      {"mean", "m/s", "length of the slow stretch over its duration", s.mean()},
+      {"mean_speed", "m/s", "length of the slow stretch over its duration", s.mean_speed()},
       {"fast_before", "m/s", "median front speed before the slow stretch", s.fast_before},
       {"fast_after", "m/s", "median front speed after the slow stretch", s.fast_after},
   };
@@ -281,18 +367,22 @@ Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretc
 }
 
 std::string kind_name(const Front& front) {
-  return front.fast_slow_fast ? "fast-slow-fast" : std::string(front_type_name(front.type));
+  return front.fast_slow_fast == Answer::yes ? "fast-slow-fast"
+                                             : std::string(front_type_name(front.type));
 }
 
 std::string kind_text(const Front& front, double c_s) {
-  if (front.fast_slow_fast) return stretch_text(kSlowInWords, *front.in_words, c_s);
+  if (front.fast_slow_fast == Answer::yes) return stretch_text(kSlowInWords, *front.in_words, c_s);
   return slow_text(front, c_s);
 }
 
-std::string front_text(const Front& front, double c_s, const ChosenEvent& event) {
+std::string front_text(const Front& front, const Parameters& p, const ChosenEvent& event) {
+  const double c_s = shear_wave_speed(p);
+  const std::string hidden = hidden_text(front, event.end) + apart_text(p, event.end.quiet_time);
   if (front.type == FrontType::none) {
-    return fmt::format("no front: nothing ruptured from t = {:.7g} s to {:.7g} s\n", event.from,
-                       event.to);
+    return fmt::format("no front: {} ruptured from t = {:.7g} s to {:.7g} s\n{}",
+                       front.line.ruptured_before() > 0 ? "no other block" : "nothing", event.from,
+                       event.to, hidden);
   }
   const std::string others =
       event.in_window > 1
@@ -301,8 +391,8 @@ std::string front_text(const Front& front, double c_s, const ChosenEvent& event)
           : "";
   const std::string type =
       fmt::format("type {}: {}\n", front_type_name(front.type), slow_text(front, c_s));
-  return fmt::format("{} front; {}{}\n{}", kind_name(front), kind_text(front, c_s), others,
-                     front.fast_slow_fast ? type : "");
+  return fmt::format("{} front; {}{}\n{}{}", kind_name(front), kind_text(front, c_s), others,
+                     front.fast_slow_fast == Answer::yes ? type : "", hidden);
 }
 
 }  // namespace rupture::tools

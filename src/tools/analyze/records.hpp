@@ -31,11 +31,20 @@ void add_event_options(po::options_description& options);
 /// Time without ruptures that separates events [s].
 double quiet_time(const RecordCommand& command);
 
-/// The block ruptures of one event, as find_events() splits them.
+/// How an event ends in a window.
+struct EventEnd {
+  double silence = 0;     ///< from its last rupture to the end of the window [s]
+  double quiet_time = 0;  ///< after which it is over [s]
+  bool is_over = true;
+  std::string_view window = "record";  ///< what begins and ends
+};
+
+/// The block ruptures of one event, as find_events() splits them, in a window of time.
 struct ChosenEvent {
   std::span<const Rupture> ruptures;  ///< empty if nothing ruptured
-  double from = 0, to = 0;            ///< those at other times do not count [s]
+  double from = 0, to = 0;            ///< those at later times do not count [s]
   std::size_t in_window = 1;          ///< events from --from to --to; 1 if --event names it
+  EventEnd end = {};
 };
 
 /// The event that --event names, or the only one between --from and --to. Of a prepared interface,
@@ -43,6 +52,12 @@ struct ChosenEvent {
 /// Throws UsageError if --event names none, Failure if none spans the interface or several are in
 /// the window: first ruptures of several events make no front.
 ChosenEvent choose_event(const RecordCommand& command);
+
+/// Quantities that say what the window does not show of the event, and the sentences.
+Quantities hidden_quantities(const Front& front, const EventEnd& end);
+/// How far events are apart, where t_R varies much along the interface; else nothing.
+std::string apart_text(const Parameters& p, double quiet);
+std::string hidden_text(const Front& front, const EventEnd& end);
 
 /// --slow-below, --skip-below-x, --stencil, --line and --ruptured-below, by which record_of() goes.
 void add_criteria_options(po::options_description& options);
@@ -62,10 +77,10 @@ Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretc
 /// The type, or fast-slow-fast.
 std::string kind_name(const Front& front);
 
-/// Where the front is below the limit that makes it of this kind.
+/// Where the front is below the limit that makes it of this kind. Places are centres of stencils.
 std::string kind_text(const Front& front, double c_s);
 
 /// The front as a whole: a line, and of a fast-slow-fast one another with its type.
-std::string front_text(const Front& front, double c_s, const ChosenEvent& event);
+std::string front_text(const Front& front, const Parameters& p, const ChosenEvent& event);
 
 }  // namespace rupture::tools

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 
 #include "cli/interruption.hpp"
@@ -18,12 +19,16 @@
 namespace rupture::tools {
 namespace {
 
+/// Options that a file cannot have.
+constexpr std::array kTyped = {"force", "resume", "config", "describe", "version", "help"};
+
 po::options_description common_options(UsesParameters uses_parameters) {
   po::options_description common("Common options");
   auto add = common.add_options();
   if (uses_parameters == UsesParameters::yes) {
     add("config", input_file("options and parameters"),
-        "INI file with options and parameters ([slider] L = 0.14 ...)");
+        "INI file with options and parameters ([slider] L = 0.14 ...). Flags are yes or no "
+        "there, and lists have blanks between their values");
     add("set", assignments(), "set one parameter, overriding --config; may be repeated");
     add("seed", seed(), "short for --set numerics.seed=N");
   }
@@ -65,6 +70,30 @@ void add_once(ParameterChange change, ParameterChanges& changes) {
   changes.push_back(std::move(change));
 }
 
+/// What yes or no, or other words for them, say; none if it is neither.
+std::optional<bool> yes_or_no(const std::string& word) try {
+  boost::any value;
+  po::validate(value, {word.empty() ? "neither" : word}, static_cast<bool*>(nullptr), 0);
+  return boost::any_cast<bool>(value);
+} catch (const po::validation_error&) {
+  return std::nullopt;
+}
+
+/// An option in an INI file as on the command line; none if the file switches it off.
+std::optional<po::option> as_typed(po::option option, const po::options_description& options,
+                                   const std::string& where) {
+  const auto& kind = *options.find(option.string_key, /*approx=*/false).semantic();
+  const std::string value = option.value.front();
+  const bool is_list = kind.max_tokens() > 1 && !value.empty();
+  if (is_list) option.value = po::split_unix(value, " \t", "\"", /*escape=*/"");
+  const std::optional<bool> is_on = yes_or_no(value);
+  const bool is_flag = kind.max_tokens() == 0 || (is_on && !number_in(value, "s"));
+  if (kind.min_tokens() > 0 || !is_flag) return option;
+  if (!is_on) throw UsageError("{} must be yes or no (got '{}')", where + option.string_key, value);
+  option.value.clear();
+  return *is_on ? std::optional(option) : std::nullopt;
+}
+
 /// A line of an INI file without the comment that ; begins, there or behind a space, as in sweeps.
 std::string without_comment(const std::string& line) {
   const std::string text = " " + line;
@@ -98,21 +127,23 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   std::istringstream lines(text_of_file(path, "configuration file", "INI file"));
   ParameterChanges changes;
   po::parsed_options known(&options);
+  std::set<std::string> given;
   std::string group, line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const std::string where = fmt::format("{}:{}: ", path, number);
     try {
       for (const po::option& option : options_in(without_comment(line), group, options)) {
         if (option.unregistered) check_name(option.string_key, options, where);
-        if (option.string_key == "force" || option.string_key == "resume") {
-          throw UsageError("{}{} replaces files: give it on the command line, not in a file", where,
-                           option.string_key);
-        }
+        const std::string& name = option.string_key;
+        if (std::ranges::count(kTyped, name) > 0)
+          throw UsageError("{}give {} on the command line, not in a file", where, name);
         if (auto change = change_by(option, where)) {
           add_once(*std::move(change), changes);
-        } else {
-          known.options.push_back(option);
-          po::variables_map so_far;  // an impossible value, or a second one, throws
+        } else if (!given.insert(name).second) {
+          throw UsageError("{}{} is given twice: give it once", where, name);
+        } else if (const auto typed = as_typed(option, options, where)) {
+          known.options.push_back(*typed);
+          po::variables_map so_far;  // an impossible value throws
           po::store(known, so_far);
         }
       }
@@ -126,9 +157,16 @@ ParameterChanges read_config(const std::string& path, const po::options_descript
   return changes;
 }
 
+/// Throws UsageError for an = behind a short option: -o=x.h5 would name the file =x.h5.
+void refuse_equals_sign(const std::string& word) {
+  if (!word.starts_with('-') || word.starts_with("--") || word.find('=') == word.npos) return;
+  throw UsageError("'{}' has an '=' behind a short option: leave a blank, as in -o x.h5", word);
+}
+
 /// "unknown option '--untill': did you mean '--until'?"
 std::string unknown_option_text(const std::string& option, const po::options_description& known,
                                 std::string_view tool) {
+  refuse_equals_sign(option);
   std::vector<std::string> names;
   for (const auto& description : known.options()) {
     names.push_back("--" + description->long_name());
@@ -196,6 +234,10 @@ Parsed parse(const Command& command, int argc, const char* const* argv) {
   try {
     const po::parsed_options given =
         po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run();
+    for (const po::option& option : given.options) {  // -o =x.h5 are two words
+      const bool begins_so = !option.value.empty() && option.value.front().starts_with('=');
+      if (begins_so) refuse_equals_sign(option.original_tokens.front());
+    }
     po::store(given, parsed.values);
     if (parsed.values.count("help") > 0) throw HelpRequested{help_text(command, shown)};
     if (parsed.values.count("describe") > 0) {

@@ -16,6 +16,7 @@ namespace rupture::tools {
 namespace {
 
 constexpr std::array<std::string_view, 2> kOfPrepare = {"tau-bar", "sigma-bar"};
+constexpr std::size_t kLargest = 10'000'000;  // bytes of a table
 
 using Column = Profile::Column;
 using Row = Profile::Row;
@@ -28,16 +29,58 @@ double number_of(const std::string& cell, const std::string& unit, std::string_v
                    cell);
 }
 
+/// The next line; it may end as on Unix, Windows or an old Macintosh.
+bool next_line(std::istream& text, std::string& line) {
+  line.clear();
+  for (char c = 0; text.get(c);) {
+    if (c == '\r' && text.peek() == '\n') text.get(c);
+    if (c == '\r' || c == '\n') return true;
+    line += c;
+  }
+  return !line.empty();
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// The cells of a line of a table (docs/runs.md), without blanks around them and empty ones at the
+/// end; none of a comment. As table_in() of recipes/chains/values.py.
+std::vector<std::string> cells_of(std::string line) {
+  std::ranges::replace(line, '\t', ' ');
+  std::vector<std::string> cells = {""};
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    std::string& cell = cells.back();
+    if (line[i] == '"' && is_quoted && line.substr(i + 1, 1) == "\"") {
+      cell += line[i++];
+    } else if (line[i] == '"' && (is_quoted || cell.empty())) {
+      is_quoted = !is_quoted;
+    } else if (line[i] == ',' && !is_quoted) {
+      cells.emplace_back();
+    } else if (line[i] != ' ' || is_quoted || !cell.empty()) {
+      cell += line[i];
+    }
+  }
+  std::ranges::transform(cells, cells.begin(), trimmed);
+  if (cells.front().starts_with('#')) return {};
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
 /// "junctions.t_R [ms]". Throws UsageError unless it is something that may vary along x.
 Column column_of(const std::string& heading) {
   const auto bracket = heading.find('[');
-  Column column = {heading.substr(0, bracket), ""};
+  Column column = {trimmed(heading.substr(0, bracket)), ""};
+  if (column.name.empty()) {
+    throw UsageError("each column needs a heading: write the table without row numbers");
+  }
   if (bracket != std::string::npos) {
-    if (!column.name.ends_with(' ') || !heading.ends_with(']')) {
+    if (!heading.ends_with(']')) {
       throw UsageError("'{}' is not a heading: write NAME or NAME [UNIT]", heading);
     }
-    column.name.pop_back();
-    column.unit = heading.substr(bracket + 1, heading.size() - bracket - 2);
+    column.unit = trimmed(heading.substr(bracket + 1, heading.size() - bracket - 2));
   }
   if (column.unit == "1") column.unit.clear();
   std::string_view unit = column.name == "x" ? "m" : "1";
@@ -67,63 +110,76 @@ void add_profile_option(po::options_description& options) {
   options.add_options()("profile", input_file("table of properties along x"),
                         "CSV table of properties along the interface: a column x, and one for each "
                         "parameter that varies, such as junctions.mu_s, or in prepare also tau-bar "
-                        "and sigma-bar; units in the heading");
+                        "and sigma-bar; units in the heading; up to 10 MB");
 }
 
 Profile::Profile(const Parsed& parsed) : parsed_(parsed) {
   if (parsed.values.count("profile") == 0) return;
-  const auto path = parsed.values["profile"].as<std::string>();
-  std::istringstream lines(text_of_file(path, "profile", "CSV table"));
+  path_ = parsed.values["profile"].as<std::string>();
+  std::istringstream text(text_of_file(path_, "profile", "CSV table", kLargest));
   std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (line.empty()) continue;
-    const std::string where = fmt::format("{}:{}: ", path, number);
+  for (int number = 1; next_line(text, line); ++number) {
+    auto cells = cells_of(line);
+    if (cells.empty()) continue;
     try {
-      read_line(line, where);
+      if (columns_.empty()) {
+        read_headings(cells);
+      } else {
+        read_row(std::move(cells), number);
+      }
     } catch (const UsageError& error) {
-      throw UsageError(where + error.what());
+      throw UsageError("{}:{}: {}", path_, number, error.what());
     }
   }
-  if (rows_.empty()) throw UsageError("{}: a profile needs a heading and a row", path);
+  if (rows_.empty()) throw UsageError("{}: a profile needs a heading and a row", path_);
 }
 
 bool Profile::has(std::string_view column) const {
   return std::ranges::count(columns_, column, &Column::name) > 0;
 }
 
-/// The heading, or a row.
-void Profile::read_line(std::string line, const std::string& where) {
-  auto cells = split(line + ",", ',');  // a last empty cell counts
-  if (columns_.empty()) {
-    for (const auto& heading : cells) {
-      const Column column = column_of(heading);
-      if (has(column.name)) throw UsageError("{} has two columns", column.name);
-      columns_.push_back(column);
-    }
-    if (columns_.front().name == "x" && columns_.size() > 1) return;
-    throw UsageError("the first column must be x, and one must follow (got '{}')", line);
+void Profile::read_headings(const std::vector<std::string>& cells) {
+  for (const auto& heading : cells) {
+    const Column column = column_of(heading);
+    if (has(column.name)) throw UsageError("{} has two columns", column.name);
+    columns_.push_back(column);
   }
-  if (cells.size() != columns_.size()) {
+  if (columns_.front().name == "x" && columns_.size() > 1) return;
+  throw UsageError("the first column must be x, and one must follow (got '{}')",
+                   fmt::join(cells, ","));
+}
+
+void Profile::read_row(std::vector<std::string> cells, int line) {
+  if (cells.size() > columns_.size()) {
     throw UsageError("{} values, but the heading names {}; write decimals with a point",
                      cells.size(), columns_.size());
+  }
+  cells.resize(columns_.size());
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    if (cells[c].empty()) throw UsageError("{} has no value", columns_[c].name);
   }
   const double x = number_of(cells.front(), columns_.front().unit, "m");
   for (std::size_t c = 1; c < columns_.size(); ++c) check(columns_[c], cells[c]);
   if (!rows_.empty() && x < rows_.back().x) throw UsageError("x falls: sort the rows by x");
-  rows_.push_back({where, x, std::move(cells)});
+  rows_.push_back({line, x, std::move(cells)});
 }
 
-/// Linear between rows; at a step, where two rows have one x, the later row counts.
+/// Linear between rows. The row nearest to x, if one is within `rounding`, gives its own value; at
+/// a step, where two rows have one x, the later one.
 std::string Profile::value_at(std::size_t column, std::string_view unit, double x,
                               double rounding) const {
+  const auto from = std::ranges::lower_bound(rows_, x - rounding, {}, &Row::x);
   const auto after = std::ranges::upper_bound(rows_, x + rounding, {}, &Row::x);
-  const Row& left = after == rows_.begin() ? rows_.front() : *(after - 1);
-  const Row& right = after == rows_.end() ? rows_.back() : *after;
-  const double part =
-      right.x > left.x ? std::clamp((x - left.x) / (right.x - left.x), 0.0, 1.0) : 0;
-  if (const auto& nearest = part < 0.5 ? left : right; !in_unit(nearest.cells[column], "1")) {
-    return nearest.cells[column];  // a word
+  auto nearest = from;
+  for (auto row = from; row != after; ++row) {
+    if (std::abs(row->x - x) <= std::abs(nearest->x - x)) nearest = row;
+  }
+  const bool is_at_row = from != after;
+  const Row& left = is_at_row || from == rows_.begin() ? *nearest : *(from - 1);
+  const Row& right = is_at_row || after == rows_.end() ? left : *after;
+  const double part = right.x > left.x ? (x - left.x) / (right.x - left.x) : 0.0;
+  if (const Row& row = part < 0.5 ? left : right; !in_unit(row.cells[column], "1")) {
+    return row.cells[column];  // a word
   }
   const auto number = [&](const Row& row) {
     return number_of(row.cells[column], columns_[column].unit, unit);
@@ -134,10 +190,11 @@ std::string Profile::value_at(std::size_t column, std::string_view unit, double 
 /// As set_parameter() takes them.
 std::string Profile::values_of(std::size_t column, std::string_view unit,
                                const Parameters& p) const {
-  const double rounding = 1e-6 * block_spacing(p);
+  const double rounding = 1e-3 * block_spacing(p);  // positions are written with few digits
   for (const Row& row : rows_) {
     if (row.x >= -rounding && row.x <= p.L + rounding) continue;
-    throw UsageError("{}x = {:g} m is outside the slider, 0 to {:g} m", row.where, row.x, p.L);
+    throw UsageError("{}:{}: x = {:g} m is outside the slider, 0 to {:g} m", path_, row.line, row.x,
+                     p.L);
   }
   std::vector<std::string> values;
   for (const double x : block_positions(p)) values.push_back(value_at(column, unit, x, rounding));
@@ -147,11 +204,13 @@ std::string Profile::values_of(std::size_t column, std::string_view unit,
 void Profile::apply(Parameters& p) const {
   ParameterChanges plain, parts;
   for (const auto& change : parsed_.parameters) {
-    if (is_along_x(change.value)) {
-      parts.push_back(change);
-    } else if (!has(change.name)) {
-      plain.push_back(change);
-    } else if (change.where.empty()) {  // not from a configuration file
+    const bool is_part = is_along_x(change.value), is_in_file = !change.where.empty();
+    if (!has(change.name) || (is_part && !is_in_file)) {
+      (is_part ? parts : plain).push_back(change);
+    } else if (is_part) {
+      throw UsageError("{}the profile has {}: give a part of it with --set", change.where,
+                       change.name);
+    } else if (!is_in_file) {
       throw UsageError("the profile has {}: leave --set out", change.name);
     }
   }

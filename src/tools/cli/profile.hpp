@@ -25,18 +25,20 @@ class Profile {
     std::string name, unit;  ///< as in the heading
   };
   struct Row {
-    std::string where;  ///< "profile.csv:3: "
-    double x = 0;       ///< [m]
+    int line = 0;
+    double x = 0;  ///< [m]
     std::vector<std::string> cells;
   };
 
  private:
   bool has(std::string_view column) const;
-  void read_line(std::string line, const std::string& where);
+  void read_headings(const std::vector<std::string>& cells);
+  void read_row(std::vector<std::string> cells, int line);
   std::string value_at(std::size_t column, std::string_view unit, double x, double rounding) const;
   std::string values_of(std::size_t column, std::string_view unit, const Parameters& p) const;
 
   const Parsed& parsed_;
+  std::string path_;
   std::vector<Column> columns_;  // x is the first; none without --profile
   std::vector<Row> rows_;
 };

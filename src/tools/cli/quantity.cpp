@@ -174,7 +174,7 @@ int print(const Report& report, const po::variables_map& values) {
   } else if (csv) {
     say("{}", table(report.rows, Form::csv));
   } else {
-    say("{}{}", table(report.rows, Form::text), report.closing);
+    say("{}{}{}", report.opening, table(report.rows, Form::text), report.closing);
   }
   return kDone;
 }

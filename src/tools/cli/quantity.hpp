@@ -31,6 +31,11 @@ using Counts = std::vector<std::optional<std::vector<std::int64_t>>>;
 using Value = std::variant<std::optional<double>, std::int64_t, bool, std::string,
                            std::vector<double>, Numbers, Counts, Group, List>;
 
+/// The value, or null.
+inline Value if_known(bool known, Value value) {
+  return known ? std::move(value) : std::optional<double>();
+}
+
 enum class Csv { no, yes };
 
 /// A right-aligned column of the table in the text. What has no value is shown as "-".
@@ -75,10 +80,11 @@ Quantities join(const std::vector<Quantities>& lists);
 void add_json_option(po::options_description& options);
 void add_format_options(po::options_description& options);
 
-/// What a command prints: rows, and what follows their table in the text.
+/// What a command prints: rows, and what stands around their table in the text.
 struct Report {
   Quantities rows;
   std::string closing;
+  std::string opening = {};
 };
 
 /// Prints the form that was asked for to standard output: one JSON object, CSV, or text; kDone.

@@ -37,8 +37,8 @@ std::string parameter_help() {
   return text;
 }
 
-std::string text_of_file(const std::string& path, std::string_view what, std::string_view form) {
-  constexpr std::size_t longest = 100'000;  // bytes
+std::string text_of_file(const std::string& path, std::string_view what, std::string_view form,
+                         std::size_t longest) {
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path)) {
     const Failure failure("cannot read the {} {}; give the path of a readable {}", what, path,
@@ -52,7 +52,7 @@ std::string text_of_file(const std::string& path, std::string_view what, std::st
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > longest) {
     throw Failure("the {} {} is longer than {} bytes; give the path of a shorter {}", what, path,
-                  longest, form);
+                  grouped(static_cast<double>(longest)), form);
   }
   if (text.find('\0') != std::string::npos) {
     throw Failure("the {} {} is UTF-16 or no text at all: save it as plain UTF-8", what, path);

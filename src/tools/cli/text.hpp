@@ -23,9 +23,10 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
 }
 
 /// The text of a file that a user wrote, without a byte order mark. Throws Failure, saying `what`
-/// ("configuration file") in which form ("INI file") was expected, if it cannot be read, is
-/// longer than such files are, or is no UTF-8.
-std::string text_of_file(const std::string& path, std::string_view what, std::string_view form);
+/// ("configuration file") in which form ("INI file") was expected, if it cannot be read, has more
+/// than so many bytes, or is no UTF-8.
+std::string text_of_file(const std::string& path, std::string_view what, std::string_view form,
+                         std::size_t longest = 100'000);
 
 std::vector<std::string> split(std::string text, char separator);
 

@@ -23,24 +23,26 @@ constexpr const char* kPurpose =
 
 struct Tool {
   std::string_view name, summary;
+  std::string_view begins = {};  ///< heading in the help of this tool and the next ones
 };
 
 /// All programs, in the order of the help. What those in C++ do stands in their own files.
 const std::array kTools = {
-    Tool{"load", load_command.summary},
+    Tool{"load", load_command.summary, "Simulate"},
     Tool{"prepare", prepare_command.summary},
     Tool{"restart", restart_command.summary},
     Tool{"modify-phi", modify_phi_command.summary},
-    Tool{"finish", finish_command.summary},
-    Tool{"seal", seal_command.summary},
-    Tool{"analyze", "measure, compare and check checkpoints and records"},
     Tool{"parameters", parameters_command.summary},
-    Tool{"reproduce", "compute figures of the paper, their claims, and sweeps of your own"},
-    Tool{"golden", "check that a pipeline still writes files with the same content checksums"},
+    Tool{"analyze", "measure, compare and check checkpoints and records", "Measure and draw"},
     Tool{"map", "draw a record in space and time"},
     Tool{"movie", "make a film of a record"},
     Tool{"watch", "watch a run in progress, in a window or as text"},
     Tool{"xdmf", "write a series of checkpoints for ParaView and VTK"},
+    Tool{"finish", finish_command.summary, "Rescue and edit files"},
+    Tool{"seal", seal_command.summary},
+    Tool{"reproduce", "compute figures of the paper, their claims, and sweeps of your own",
+         "Compute many runs"},
+    Tool{"golden", "check that a pipeline still writes files with the same content checksums"},
 };
 
 namespace fs = std::filesystem;
@@ -68,13 +70,15 @@ fs::path tool_path(const std::string& name) {
 
 std::string help() {
   std::string text = fmt::format(
-      "Usage: {}\n       rupture help [TOOL [COMMAND]]\n       rupture --version\n\n{}\n\nTools:\n",
+      "Usage: {}\n       rupture help [TOOL [COMMAND]]\n       rupture --version\n\n{}\n",
       kSynopsis, kPurpose);
-  for (const Tool& tool : kTools) text += fmt::format("  {:<12} {}\n", tool.name, tool.summary);
+  for (const Tool& tool : kTools) {
+    if (!tool.begins.empty()) text += fmt::format("\n{}:\n", tool.begins);
+    text += fmt::format("  {:<12} {}\n", tool.name, tool.summary);
+  }
   text +=
       "\nExit codes: 0 done, 1 failed, 2 wrong use of the command line, 3 this machine failed "
-      "(full "
-      "disk, no\nmemory, no permission)\n";
+      "(full disk, no\nmemory, no permission)\n";
   return text;
 }
 

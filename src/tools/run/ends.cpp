@@ -24,6 +24,7 @@ void add_early_end_options(po::options_description& options) {
   add("until-spanned", "stop as soon as an event has spanned the interface");
   add("until-rupture-at", number("X", "m"),
       "stop at the step at which the block nearest to X ruptures");
+  add("quiet-time", seconds(), "time without ruptures that separates events; default 5 t_R");
   add("arrived-below", number("F"),
       "with --until-quiet or --until-spanned: once an event has spanned the interface, wait until "
       "less than this fraction of the junctions at the leading edge is pinned; default: 0.3, at "
@@ -39,10 +40,10 @@ bool may_end_early(const po::variables_map& values) {
 EarlyEnd early_end(const po::variables_map& values, const Parameters& p) {
   EarlyEnd end;
   end.spanned = values.count("until-spanned") > 0;
+  end.quiet_time = optional_non_negative(values, "quiet-time");
   if (values.count("until-quiet") > 0) {
     const auto quiet = values["until-quiet"].as<boost::optional<double>>();
-    end.quiet_steps =
-        steps_in(p, quiet ? non_negative(*quiet, "until-quiet") : pause_between_events(p));
+    end.quiet_steps = steps_in(p, quiet ? non_negative(*quiet, "until-quiet") : quiet_time(p, end));
     end.spanned = true;
   }
   if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);

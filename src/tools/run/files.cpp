@@ -61,9 +61,10 @@ std::string id_of_run(const Checkpoint& start) {
 }
 
 RecordedRun recorded_run(const RunPlan& plan) {
-  RecordedRun run = {plan.start.run->id, plan.record_every.time, {}, {}};
+  RecordedRun run = {plan.start.run->id, plan.record_every.time};
   if (plan.fields_every) run.fields_every = plan.fields_every->time;
   if (plan.in_events) run.every_in_events = plan.in_events->time;
+  if (plan.in_events) run.quiet_time = plan.rule.early.quiet_time;
   return run;
 }
 
@@ -129,6 +130,8 @@ std::vector<ProvenanceEntry> recorded_until(const RunPlan& plan, std::int64_t st
   std::string& command = chain.back().rebuild;
   command += fmt::format(" --record-every {}", plan.record_every.time);
   if (plan.in_events) command += fmt::format(" --record-every-in-events {}", plan.in_events->time);
+  if (const auto quiet = recorded_run(plan).quiet_time)
+    command += fmt::format(" --quiet-time {}", *quiet);
   if (const auto& levels = plan.options.crossings; !levels.empty()) {
     command += fmt::format(" --crossings {}", fmt::join(levels, ","));
   }

@@ -1,7 +1,8 @@
 // What a run needs: steps, samples and bytes from its plan, and time from some steps taken now.
 #include <fmt/core.h>
 
-#include <chrono>
+#include <ctime>
+#include <thread>
 
 #include "cli/report.hpp"
 #include "run/plan.hpp"
@@ -14,7 +15,8 @@ namespace {
 constexpr double kMB = 1e6;        // [bytes]
 constexpr double kRest = 0.033e6;  // in any file: header, parameters, provenance [bytes]
 
-/// The needs of what is left of a run. Ruptures in the record, 24 bytes each, are not counted.
+/// The needs of what is left of a run: the largest possible, if samples are dense in events or the
+/// run may end early. Ruptures in the record, 24 bytes each, are not counted.
 struct Forecast {
   const RunPlan& plan;
   const Parameters& parameters;
@@ -47,16 +49,26 @@ struct Forecast {
   double time() const { return static_cast<double>(steps) * time_per_step; }  ///< [s]
 };
 
-/// The mean: stretches that something else has slowed down count, too, as they do in a run.
-double time_per_step(Simulation& simulation) {
+/// Samples at one interval, and at the one in events, if there is one, as if all was one event.
+std::int64_t most_samples(const RunPlan& plan, const Interval& every) {
+  const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
+  std::int64_t samples = every.samples(first, last);
+  if (plan.in_events) samples += plan.in_events->number_at(last) - plan.in_events->number_at(first);
+  return std::min(samples, last - first + 1);
+}
+
+/// The mean processor time [s] of so many threads, which other programs do not make longer.
+double time_per_step(Simulation& simulation, int threads) {
   constexpr double whole = 0.5, stretch = 0.01;  // [s]
+  const auto at_once =
+      std::min(static_cast<unsigned>(threads), std::thread::hardware_concurrency());
+  const double ticks = static_cast<double>(CLOCKS_PER_SEC) * std::max(at_once, 1U);  // per second
   double sum = 0.0;
   std::int64_t steps = 0;
   for (std::int64_t next = 1; sum < whole;) {
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();  // of all threads
     simulation.advance(next);
-    const double t =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double t = static_cast<double>(std::clock() - begin) / ticks;
     sum += t;
     steps += next;
     if (t < stretch) next *= 2;
@@ -77,25 +89,28 @@ std::string disk_text(const Forecast& f) {
                                  f.checkpoints == 1 ? "" : "s", size_text(f.checkpoint()));
   if (f.samples > 0) {
     const auto fields = static_cast<double>(f.field_samples);
-    text += fmt::format("; record of {} samples{}, {}, and 24 bytes for each rupture of a block",
-                        grouped(static_cast<double>(f.samples)),
-                        fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
-                        size_text(f.record()));
+    text += fmt::format(
+        "; record of {} samples{}{}, {}, and 24 bytes for each rupture of a block{}",
+        grouped(static_cast<double>(f.samples)),
+        fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
+        f.plan.in_events ? ", if all of the run is an event" : "", size_text(f.record()),
+        f.plan.options.crossings.empty() ? "" : ", 32 for each crossing");
   }
   return text;
 }
 
 std::string text_of(const Forecast& f) {
-  const char* about = f.at_most() ? "at most about" : "about";
+  const auto about = [](bool at_most) { return at_most ? "at most about" : "about"; };
   return fmt::format(
       "steps    {}{}, {:.6g} s simulated{}\n"
       "slider   {} blocks, {} junctions\n"
       "threads  {}\n"
       "disk     {} {}\n"
-      "time     {} {}: {} per step, measured now\n",
+      "time     {} {}: {} of processor time per step, measured now\n",
       f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
       f.at_most() ? "; the run may end earlier" : "", grouped(f.blocks()), grouped(f.junctions()),
-      f.plan.threads, about, disk_text(f), about, time_text(f.time()), time_text(f.time_per_step));
+      f.plan.threads, about(f.at_most() || f.plan.in_events), disk_text(f), about(f.at_most()),
+      time_text(f.time()), time_text(f.time_per_step));
 }
 
 Json json_of(const Forecast& f) {
@@ -118,14 +133,13 @@ std::string forecast(const RunPlan& plan) {
   const Parameters& p = plan.start.parameters;
   Forecast needs = {plan, p};
   if (!plan.is_complete) {
-    const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
-    needs.steps = last - plan.begin.state.step;
+    needs.steps = plan.rule.last_step - plan.begin.state.step;
     needs.checkpoints = std::ssize(plan.checkpoints) + 1;
-    if (plan.options.record) needs.samples = plan.record_every.samples(first, last);
-    if (plan.fields_every) needs.field_samples = plan.fields_every->samples(first, last);
+    if (plan.options.record) needs.samples = most_samples(plan, plan.record_every);
+    if (plan.fields_every) needs.field_samples = most_samples(plan, *plan.fields_every);
   }
   Simulation simulation(p, plan.begin.state, plan.threads);
-  needs.time_per_step = time_per_step(simulation);
+  needs.time_per_step = time_per_step(simulation, plan.threads);
   return plan.options.output.json ? json_text(json_of(needs)) + "\n" : text_of(needs);
 }
 

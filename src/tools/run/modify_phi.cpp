@@ -42,6 +42,11 @@ struct ChangedPhi {
   double largest_change = 0.0;  ///< of a block's friction force, over the largest of them
 
   bool has_changed(std::size_t i) const { return before[i].forces != after[i].forces; }
+  std::int64_t changed() const {
+    std::int64_t blocks = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) blocks += has_changed(i) ? 1 : 0;
+    return blocks;
+  }
 };
 
 /// Largest relative change of a block's friction force [1].
@@ -68,16 +73,14 @@ std::string bar(std::int64_t count, std::int64_t largest) {
 std::string histograms_text(const ChangedPhi& phi) {
   constexpr int kBins = 20;
   Histogram old_counts(kBins), new_counts(kBins);
-  int changed = 0;
   for (std::size_t i = 0; i < phi.before.size(); ++i) {
     if (!phi.has_changed(i)) continue;
-    ++changed;
     add_histogram(old_counts, phi.before[i]);
     add_histogram(new_counts, phi.after[i]);
   }
   std::string text =
-      fmt::format("junctions of the {} changed blocks by the force they carry\n", changed);
-  if (changed == 0) return text;
+      fmt::format("junctions of the {} changed blocks by the force they carry\n", phi.changed());
+  if (phi.changed() == 0) return text;
   const auto largest = std::max(std::ranges::max(old_counts), std::ranges::max(new_counts));
   text += "   f_T/f_thres   before                            after\n";
   for (std::size_t n = 0; n < kBins; ++n) {
@@ -117,23 +120,32 @@ void refuse_unchanged(const Parameters& p, const ChangedPhi& phi, const PhiChang
       std::floor(widest * 1e4) * 1e-4);
 }
 
+/// What changed, then the table of all blocks.
 std::string text_of(const ChangedPhi& phi) {
-  std::string text = "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n";
-  for (std::size_t i = 0; i < phi.before.size(); ++i) {
-    const auto& b = phi.before[i];
-    text += fmt::format("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x,
-                        b.mean / b.f_thres, b.slipping, b.sigma_bar(), phi.after[i].sigma_bar());
-  }
-  text += histograms_text(phi);
-  text += fmt::format(
-      "largest change of a block's friction force: {:.1e} of the largest friction force\n",
+  const auto mean_width = [&](const std::vector<BlockForces>& blocks) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (phi.has_changed(i)) sum += blocks[i].sigma_bar();
+    }
+    return sum / static_cast<double>(std::max<std::int64_t>(phi.changed(), 1));
+  };
+  std::string text = fmt::format(
+      "changed {} of {} blocks: their mean sigma-bar was {:.4f} and is {:.4f}; friction forces "
+      "changed by at most {:.1e} of the largest\n",
+      phi.changed(), phi.before.size(), mean_width(phi.before), mean_width(phi.after),
       phi.largest_change);
   for (const auto& block : phi.impossible) {
     text +=
         fmt::format("not changed: block at x = {:.4f} m, whose sigma-bar can be at most {:.4f}\n",
                     block.x, block.largest_sigma_bar);
   }
-  return text;
+  text += "   x [m]   mean/f_thres   slipping   sigma-bar before   after\n";
+  for (std::size_t i = 0; i < phi.before.size(); ++i) {
+    const auto& b = phi.before[i];
+    text += fmt::format("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x,
+                        b.mean / b.f_thres, b.slipping, b.sigma_bar(), phi.after[i].sigma_bar());
+  }
+  return text + histograms_text(phi);
 }
 
 Quantities row_of(const ImpossibleBlock& block) {
@@ -145,8 +157,6 @@ Quantities row_of(const ImpossibleBlock& block) {
 
 Quantities quantities_of(const ChangedPhi& phi) {
   const auto width = [](const BlockForces& block) { return if_finite(block.sigma_bar()); };
-  std::int64_t changed = 0;
-  for (std::size_t i = 0; i < phi.before.size(); ++i) changed += phi.has_changed(i) ? 1 : 0;
   List impossible{row_of(ImpossibleBlock{}), {}};
   for (const auto& block : phi.impossible) impossible.elements.push_back(row_of(block));
   return {
@@ -155,7 +165,7 @@ Quantities quantities_of(const ChangedPhi& phi) {
        each(phi.before, &BlockForces::slipping)},
       {"sigma_bar_before", "1", "width of phi of each block, before", each(phi.before, width)},
       {"sigma_bar_after", "1", "width of phi of each block, after", each(phi.after, width)},
-      {"changed", "1", "blocks that were changed", changed},
+      {"changed", "1", "blocks that were changed", phi.changed()},
       {"largest_change", "1", "largest change of a friction force, over the largest friction force",
        phi.largest_change},
       {"impossible", "", "blocks that cannot have this phi and were not changed", impossible},
@@ -177,7 +187,9 @@ int modify_phi(const Parsed& parsed) {
   refuse_unchanged(p, phi, change);
   phi.after = block_forces(p, checkpoint.state);
   phi.largest_change = largest_change(friction, friction_forces(p, checkpoint.state));
-  checkpoint.run.reset();  // what follows is not the run that the input came from
+  if (checkpoint.run) {  // what follows is another run, in the same event
+    checkpoint.run = run_from(p, checkpoint.state.step, std::move(checkpoint.run->event));
+  }
   checkpoint.provenance.push_back(
       make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, shell_line(command)));
   return write_and_report(FileKind::checkpoint, checkpoint_content(checkpoint), quantities_of(phi),

@@ -121,8 +121,8 @@ void Recorder::observe(const Simulation& simulation) {
   bool in_event = false;
   if (state.step >= next_look_) {
     const RunSoFar& run = simulation.run();
-    in_event = run.ruptures > 0 &&
-               is_under_way(simulation.parameters(), run.last_rupture, simulation.time());
+    in_event =
+        run.event.is_under_way(simulation.time(), quiet_time(simulation.parameters(), run.early));
     next_look_ = in_events_->after(state.step);
   }
   if (is_due(series_, state.step, in_event)) {

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "rupture/model/derived.hpp"
+
 namespace rupture::tools {
 namespace {
 
@@ -68,6 +70,20 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));
 }
 
+/// Whether a block that has ruptured will rupture again is not known.
+void refuse_ruptured(const EarlyEnd& early, const Checkpoint& start) {
+  const Parameters& p = start.parameters;
+  const LatestEvent& event = start.run->event;
+  const double now = time(p, start.state);
+  if (!early.rupture_of || !event.is_under_way(now, quiet_time(p, early))) return;
+  const auto& t = event.first[static_cast<std::size_t>(*early.rupture_of)];
+  if (!t) return;
+  throw UsageError(
+      "the block at {:.4g} m has ruptured already, at {:.7g} s, in the event that is under way at "
+      "{:.7g} s: give --until-rupture-at a block that has not",
+      block_position(p, *early.rupture_of), *t, now);
+}
+
 }  // namespace
 
 void add_run_options(po::options_description& options) {
@@ -79,7 +95,7 @@ void add_run_options(po::options_description& options) {
       "sampling interval of the record; the times of ruptures are exact to one time step");
   add("record-every-in-events", seconds(),
       "during an event, also sample at this interval, fields too. An event goes on until no block "
-      "has ruptured for 5 t_R. --dry-run does not count these samples");
+      "has ruptured for --quiet-time");
   add("crossings", text("F,..."),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
   add("fields", seconds(),
@@ -96,7 +112,8 @@ void add_run_options(po::options_description& options) {
       "are those of an uninterrupted run");
   add("dry-run",
       "write nothing: check the command, and estimate the time and disk space that it needs. The "
-      "time per step is measured for half a second");
+      "time per step is measured for half a second, as processor time: on a busy machine, the run "
+      "takes longer. Samples in events are counted as if all of the run was an event");
   add_output_options(options, "checkpoint");
 }
 
@@ -128,7 +145,8 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
                  const fs::path& input) {
   const Parameters& p = start.parameters;
   const Clock& clock = start.state.clock;
-  start.run = run_from(p, start.state.step);
+  start.run = run_from(p, start.state.step, start.run ? start.run->event : LatestEvent{});
+  refuse_ruptured(rule.early, start);
   start.run->id = id_of_run(start);
   RunPlan plan;
   plan.rule = rule;

@@ -15,14 +15,17 @@ bool is_of_run(const Checkpoint& checkpoint, const Checkpoint& start) {
   return checkpoint.run && checkpoint.run->id == start.run->id;
 }
 
-/// True if a run with this rule would have ended before `step`. When an event spanned is not known,
-/// nor, in files of earlier builds, whether one has; then it is true.
-bool is_beyond_end(std::int64_t step, const RunSoFar& run, const StopRule& rule) {
+/// True if a run with this rule would have ended before the checkpoint. When an event spanned is
+/// not known, nor, in files of earlier builds, whether one has; then it is true.
+bool is_beyond_end(const Checkpoint& checkpoint, const StopRule& rule) {
+  const std::int64_t step = checkpoint.state.step;
+  const RunSoFar& run = *checkpoint.run;
   const EarlyEnd& early = rule.early;
   if (step > rule.last_step) return true;
   if (!early.may_come()) return false;
-  if (run.event.empty() || (early.spanned && run.spanned)) return true;
-  if (early.rupture_of && run.early != early) return true;  // it may have ruptured
+  if (run.event.first.empty() || (early.spanned && run.spanned)) return true;
+  const bool may_have_ended = early.rupture_of || checkpoint.parameters.V == 0.0;  // at rest
+  if (may_have_ended && run.early != early) return true;
   if (!early.quiet_steps) return false;
   const std::int64_t quiet_from = run.last_break + *early.quiet_steps;
   return step > (quiet_from + kQuietCheck - 1) / kQuietCheck * kQuietCheck;
@@ -108,15 +111,21 @@ std::set<std::int64_t> steps_to_sample(const Interval& every, const Content& row
   if (at_end) steps.insert(step);
   if (!plan.in_events) return steps;
   const Parameters& p = checkpoint.parameters;
+  const Clock& clock = checkpoint.state.clock;
+  const double quiet = quiet_time(p, plan.rule.early);
   std::int64_t seen = first;
-  for (const std::int64_t rupture : sampled_steps(rows, "/ruptures/step")) {
-    const double t = time_at(p, checkpoint.state.clock, rupture);
-    seen = std::max(seen, rupture - 1);
+  const auto add = [&](LatestEvent event) {
     for (auto at = plan.in_events->after(seen);
-         at <= step && is_under_way(p, t, time_at(p, checkpoint.state.clock, at));
+         at <= step && event.is_under_way(time_at(p, clock, at), quiet);
          at = plan.in_events->after(at)) {
       steps.insert(seen = at);
     }
+  };
+  add(plan.start.run->event);
+  for (const std::int64_t rupture : sampled_steps(rows, "/ruptures/step")) {
+    seen = std::max(seen, rupture - 1);
+    const double t = time_at(p, clock, rupture);
+    add({{t}, t});
   }
   return steps;
 }
@@ -149,7 +158,7 @@ bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
 bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const RunPlan& plan) {
   if (!is_of_run(checkpoint, plan.start)) return false;
   if (path == plan.options.output.output) return is_end(checkpoint, plan.rule);
-  return !is_beyond_end(checkpoint.state.step, *checkpoint.run, plan.rule);
+  return !is_beyond_end(checkpoint, plan.rule);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ Quantities quantities_of(const RunSummary& s) {
   };
   const Quantities rows = {
       {"ending", "",
-       "end, quiet, spanned (an event did), ruptured (the block did), interrupted, or complete "
-       "(nothing was left to do)",
+       "end, quiet, spanned (an event did), ruptured (the block did), rest (nothing more will "
+       "rupture), interrupted, or complete (nothing was left to do)",
        s.ending},
       {"time", "s", "simulated time at the end", s.time},
       {"steps", "1", "time steps taken", s.steps},
@@ -51,11 +51,12 @@ Quantities quantities_of(const RunSummary& s) {
 }
 
 /// How a run ended, in JSON and in the text, in the order of Ending.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kEndings = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kEndings = {
     {{"end", "end of the run"},
      {"quiet", "no more junctions broke"},
      {"spanned", "an event spanned the interface"},
      {"ruptured", "the block ruptured"},
+     {"rest", "at rest: the drive stands still, and nothing more will rupture"},
      {"interrupted", "interrupted"}}};
 
 void say_invariants(const OutputOptions& output, std::string_view ending,
@@ -86,8 +87,8 @@ void announce_events(const fs::path& path, const OutputOptions& output) {
   if (output.is_quiet) return;
   const Record record = read_record(path);
   const Parameters& p = record.parameters;
-  const auto events =
-      find_events(p, record.ruptures, {record.time, record.F_T}, pause_between_events(p), {});
+  const auto events = find_events(p, ruptures_below(record, kRupturedFraction),
+                                  {record.time, record.F_T}, pause_between_events(p), {});
   const auto spanning =
       std::ranges::count_if(events, [](const Event& event) { return spans(event.front.type); });
   if (events.empty()) return output.say("no events\n");
@@ -110,7 +111,7 @@ class Run : private Observer {
     if (!plan.options.record) return;
     const RecordParts parts = {plan.options.crossings,
                                plan.fields_every ? Fields::record : Fields::omit,
-                               recorded_run(plan)};
+                               recorded_run(plan), plan.start.run->event};
     const std::int64_t last = plan.rule.last_step;
     writer_.emplace(*plan.options.record, begin_.parameters, recorded_until(plan, last),
                     if_record_exists(plan.options), plan.recorded, parts);

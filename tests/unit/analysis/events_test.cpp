@@ -44,6 +44,31 @@ TEST(Events, tell_times_places_and_the_force_before_and_its_smallest_value_until
   }
 }
 
+/// Ruptures at 1.0 s, 1.25 s and 1.5 s are an event that is over at 1.75 s.
+struct ForceByHand {
+  const char* why;
+  std::vector<double> time, F_T;
+  double before, after;
+};
+
+TEST(Events, have_the_force_of_the_right_samples) {
+  const std::vector<Rupture> ruptures = {{100, 1.0, 0}, {125, 1.25, 1}, {150, 1.5, 2}};
+  const std::vector<ForceByHand> all = {
+      {"a sample at its start is before it", {0.5, 1.0, 1.25, 3}, {5, 4, 3, 0}, 4, 3},
+      {"it falls within the event", {0.5, 1.25, 1.5, 1.75, 3}, {5, 2, 4, 4.5, 0}, 5, 2},
+      {"it falls until it is quiet", {0.5, 1.5, 1.75, 2, 3}, {5, 4, 3, 1, 0}, 5, 3},
+      {"there is no sample in that time", {0.5, 2, 3}, {5, 1, 0}, 5, 5},
+      {"it rises", {0.5, 1.0, 1.5, 3}, {5, 6, 7, 0}, 6, 6},
+      {"the first sample is later than its start", {1.25, 1.5, 3}, {4, 5, 0}, 4, 4}};
+  for (const ForceByHand& row : all) {
+    SCOPED_TRACE(row.why);
+    const auto found = find_events(Parameters{}, ruptures, {row.time, row.F_T}, 0.25, {});
+    ASSERT_EQ(found.size(), 1U) << "pauses of just 0.25 s";
+    EXPECT_EQ(found[0].F_T_before, row.before);
+    EXPECT_EQ(found[0].F_T_after, row.after);
+  }
+}
+
 TEST(Events, carry_the_front_of_their_own_ruptures) {
   const auto found = events();
   EXPECT_EQ(found[0].front.line.t_rupture[1], 0.102);

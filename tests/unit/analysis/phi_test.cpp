@@ -92,6 +92,31 @@ class Interface : public ::testing::Test {
     return (state_.junctions.attachment.row(i) == before_.junctions.attachment.row(i)).all() &&
            (state_.junctions.repin_time.row(i) == before_.junctions.repin_time.row(i)).all();
   }
+  void become_widest(PhiShape shape, Slipping slipping) {
+    state_ = before_;
+    PhiChange change;
+    change.shape = shape;
+    change.slipping = slipping;
+    EXPECT_TRUE(change_phi(p_, state_, change).empty());
+    for (std::size_t i = 0; i < 5; ++i) {
+      const BlockForces block = now()[i];
+      EXPECT_NEAR(block.mean, then()[i].mean, 1e-12 * block.f_thres);
+      EXPECT_DOUBLE_EQ(block.slipping, slipping == Slipping::pin ? 0.0 : 0.1);
+      // all but every tenth, or all; their forces are exact quantiles about their mean
+      std::vector<double> pinned;
+      for (std::size_t j = 0; j < 100; ++j) {
+        if (slipping == Slipping::pin || j % 10 != 0) pinned.push_back(block.forces[j]);
+      }
+      std::sort(pinned.begin(), pinned.end());
+      const auto n = static_cast<double>(pinned.size());
+      const double mean = std::accumulate(pinned.begin(), pinned.end(), 0.0) / n;
+      const double half_width = block.f_thres - std::abs(mean);
+      const auto q = unit_quantiles(shape, std::ssize(pinned));
+      for (std::size_t j = 0; j < pinned.size(); ++j) {
+        EXPECT_NEAR(pinned[j], mean + half_width * q[j], 1e-12 * block.f_thres);
+      }
+    }
+  }
   std::vector<BlockForces> now() const { return block_forces(p_, state_); }
   std::vector<BlockForces> then() const { return block_forces(p_, before_); }
 
@@ -121,6 +146,19 @@ TEST_F(Interface, is_measured_block_by_block) {
   EXPECT_NEAR(friction_forces(p_, state_)[2], sum, 1e-12);
 }
 
+TEST_F(Interface, has_the_properties_of_each_block) {
+  const double k_ij = now()[1].k_ij, f_N = normal_forces(p_, state_)[1] / 100.0;
+  p_.mu_s = AlongX<double>({0.4, 0.5, 0.4, 0.4, 0.4});
+  p_.mu_d = AlongX<double>({0.1, 0.2, 0.1, 0.1, 0.1});
+  p_.kappa = AlongX<double>({1e9, 4.0 * p_.kappa[1], 1e9, 1e9, 1e9});
+  EXPECT_DOUBLE_EQ(now()[1].f_thres, 0.5 * f_N);
+  EXPECT_DOUBLE_EQ(now()[1].f_slip, 0.2 * f_N);
+  EXPECT_DOUBLE_EQ(now()[1].k_ij, 2.0 * k_ij);
+  p_.law = Law::simplified;
+  state_.junctions = State(p_).junctions;
+  EXPECT_DOUBLE_EQ(now()[1].k_ij, 100.0 * 2.0 * k_ij) << "a single spring";
+}
+
 TEST(PhiChange, includes_both_ends_of_its_region_to_rounding) {
   PhiChange change;
   change.x_from = 0.3;
@@ -132,26 +170,17 @@ TEST(PhiChange, includes_both_ends_of_its_region_to_rounding) {
 }
 
 TEST_F(Interface, becomes_as_wide_as_it_can_with_the_same_means) {
-  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
-    state_ = before_;
-    PhiChange change;
-    change.shape = shape;
-    EXPECT_TRUE(change_phi(p_, state_, change).empty());
-    const auto q = unit_quantiles(shape, 90);
-    for (std::size_t i = 0; i < 5; ++i) {
-      EXPECT_NEAR(now()[i].mean, then()[i].mean, 1e-12 * then()[i].mean);
-      // pinned junctions: all but every tenth; their forces are exact quantiles about their mean
-      std::vector<double> pinned;
-      for (std::size_t j = 0; j < 100; ++j) {
-        if (j % 10 != 0) pinned.push_back(now()[i].forces[j]);
+  State backwards = state_;
+  for (Eigen::Index i = 0; i < p_.Nx; ++i) {
+    backwards.junctions.attachment.row(i) =
+        2.0 * state_.u_x(i, 0) - state_.junctions.attachment.row(i);
+  }
+  for (const State& before : {state_, backwards}) {
+    before_ = before;
+    for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
+      for (const Slipping slipping : {Slipping::keep, Slipping::pin}) {
+        become_widest(shape, slipping);
       }
-      std::sort(pinned.begin(), pinned.end());
-      const double mean = std::accumulate(pinned.begin(), pinned.end(), 0.0) / 90.0;
-      const double half_width = now()[i].f_thres - mean;
-      for (std::size_t j = 0; j < 90; ++j) {
-        EXPECT_NEAR(pinned[j], mean + half_width * q[j], 1e-12 * now()[i].f_thres);
-      }
-      EXPECT_LE(pinned.back(), now()[i].f_thres);
     }
   }
 }
@@ -195,15 +224,18 @@ TEST_F(Interface, refuses_a_width_that_would_break_a_junction_and_tells_the_larg
   }
 }
 
-TEST_F(Interface, leaves_blocks_alone_that_are_not_pressed_or_whose_junctions_all_slip) {
+TEST_F(Interface, leaves_blocks_alone_that_are_not_pressed_or_overloaded_or_all_slip) {
   state_.u_z(1, 0) = 1e-6;
   state_.junctions.repin_time.row(2) = 1e-3;
+  state_.junctions.attachment.row(3) -= now()[3].f_thres / now()[3].k_ij;  // 1.5 f_thres on average
   before_ = state_;
   const auto impossible = change_phi(p_, state_, PhiChange{});
-  ASSERT_EQ(impossible.size(), 1U);
+  ASSERT_EQ(impossible.size(), 2U);
   EXPECT_DOUBLE_EQ(impossible[0].x, 2.5e-3);
+  EXPECT_DOUBLE_EQ(impossible[1].x, 7.5e-3);
   EXPECT_EQ(impossible[0].largest_sigma_bar, 0.0);
-  EXPECT_TRUE(untouched(1) && untouched(2));
+  EXPECT_EQ(impossible[1].largest_sigma_bar, 0.0);
+  EXPECT_TRUE(untouched(1) && untouched(2) && untouched(3));
 }
 
 TEST(Histogram, counts_every_junction_once) {

@@ -1,99 +1,81 @@
-// Slip measured in a made-up history: creep at 1 mm/s until 1 ms, 0.1 ms of fast slip at 100 mm/s,
-// 0.2 ms at rest, then slow slip at 2 mm/s until 4 ms. Slow slip behind a made-up front.
+// Slip in made-up histories; slow slip behind a made-up front.
 #include "rupture/analysis/slip.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
+#include "rupture/model/random.hpp"
 
 namespace rupture::testing {
 
-constexpr double kRupture = 1e-3, kArrest = 1.1e-3, kRestart = 1.3e-3, kEnd = 4e-3;  // [s]
-constexpr double kCreep = 1e-3, kFastSlip = 0.1, kSlowSlip = 2e-3;                   // [m/s]
-constexpr double kInterval = 1e-5;                                                   // [s]
-constexpr double kNextFast = 20e-3;                                                  // [m/s]
-
-struct Samples {
-  std::vector<double> time, u_x;
-  SlipHistory history() const { return {time, u_x}; }
-};
-
-Samples made_up(double until = kEnd) {
-  Samples s;
-  for (int n = 0; n * kInterval < until + kInterval / 2; ++n) {
-    const double t = n * kInterval;
-    s.time.push_back(t);
-    s.u_x.push_back(5e-6 + kCreep * std::min(t, kRupture) +
-                    kFastSlip * (std::clamp(t, kRupture, kArrest) - kRupture) +
-                    kSlowSlip * (std::max(t, kRestart) - kRestart));
-  }
-  return s;
+/// One sample a second [mm]; slow slip ends above 5 mm/s.
+std::optional<SlipMeasure> slip_of(const std::vector<double>& u, double t_rupture) {
+  std::vector<double> time(u.size());
+  std::iota(time.begin(), time.end(), 0.0);
+  return measure_slip({time, u}, t_rupture, 5.0);
 }
 
-TEST(Slip, is_told_apart_into_fast_and_slow_of_which_20_to_80_percent_are_fitted) {
-  const Samples samples = made_up();
-  const auto slip = measure_slip(samples.history(), kRupture, kNextFast);
-  ASSERT_TRUE(slip && slip->slow);
-  EXPECT_NEAR(slip->t_arrest, kArrest, 1.01 * kInterval);
-  EXPECT_NEAR(slip->fast_slip, kCreep * kRupture + kFastSlip * (kArrest - kRupture), 1e-12);
-  EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart), 1e-12);
-  EXPECT_NEAR(slip->t_from, kRestart + 0.2 * (kEnd - kRestart), 1.01 * kInterval);
-  EXPECT_NEAR(slip->t_to, kRestart + 0.8 * (kEnd - kRestart), 1.01 * kInterval);
-  EXPECT_NEAR(slip->slow->slope, kSlowSlip, 1e-9 * kSlowSlip);
-  EXPECT_NEAR(slip->slow->r_squared, 1.0, 1e-12);
+struct SlipByHand {
+  double t_arrest, fast_slip, t_end, slow_slip, t_from, t_to;
+  std::optional<double> slope = {};  // [mm/s]
+};
+
+void expect_slip(const char* why, const std::vector<double>& u, double t_rupture,
+                 const SlipByHand& expected) {
+  SCOPED_TRACE(why);
+  const SlipMeasure slip = slip_of(u, t_rupture).value();
+  EXPECT_EQ(slip.t_arrest, expected.t_arrest);
+  EXPECT_EQ(slip.fast_slip, expected.fast_slip);
+  EXPECT_EQ(slip.t_end, expected.t_end);
+  EXPECT_EQ(slip.slow_slip, expected.slow_slip);
+  EXPECT_EQ(slip.t_from, expected.t_from);
+  EXPECT_EQ(slip.t_to, expected.t_to);
+  ASSERT_EQ(slip.slow.has_value(), expected.slope.has_value());
+  EXPECT_NEAR(slip.slow ? slip.slow->slope : 0.0, expected.slope.value_or(0.0), 1e-12);
+}
+
+TEST(Slip, is_as_worked_out_by_hand) {
+  expect_slip("Before it moves, it has not stopped. 20 % are of the 8 mm at the end, not of 10 mm.",
+              {0, 0, 10, 20, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 29, 28}, 0.0,
+              {3, 20, 16, 8, 6, 11, 1.0});
+  // the four are -1.5, -0.5, 0.5 and 1.5 s, and -2.25, -1.25, -0.25 and 3.75 mm, from their mean
+  expect_slip("The samples just at 20 and 80 % are fitted.", {0, 0, 10, 20, 20, 22, 23, 24, 28, 30},
+              1.0, {3, 20, 9, 10, 5, 8, 9.5 / 5.0});
+  expect_slip(
+      "It has moved before its rupture; 5 mm/s are still slow, and two samples have no slope.",
+      {1, 2, 2, 12, 22, 22, 27, 32, 38, 50}, 2.0, {4, 21, 7, 10, 6, 7});
+  expect_slip("The step from the sample at its rupture counts.", {1, 11, 11, 12}, 0.0,
+              {1, 10, 3, 1, 3, 3});
+  expect_slip("It stays at rest.", {1, 11, 11, 11}, 0.0, {1, 10, 3, 0, 1, 1});
 }
 
 TEST(Slip, needs_an_arrest_after_a_rupture_that_was_sampled) {
-  const Samples samples = made_up(), moving = made_up(kArrest - 2 * kInterval);
-  EXPECT_FALSE(measure_slip(moving.history(), kRupture, kNextFast)) << "ends before the arrest";
-  EXPECT_FALSE(measure_slip(samples.history(), 2e-3, kNextFast)) << "slow slip that never stops";
-  EXPECT_FALSE(measure_slip(samples.history(), 1.0, kNextFast)) << "after the last sample";
-}
-
-TEST(Slip, of_a_block_that_stays_arrested_has_no_slow_part) {
-  const Samples samples = made_up(kRestart - kInterval);
-  const auto slip = measure_slip(samples.history(), kRupture, kNextFast);
-  ASSERT_TRUE(slip);
-  EXPECT_NEAR(slip->slow_slip, 0.0, 1e-18);
-  EXPECT_FALSE(slip->slow) << "nothing to fit";
-}
-
-TEST(Slip, is_slow_until_the_block_next_slips_fast) {
-  for (const double again : {1.05 * kNextFast, 0.95 * kNextFast}) {
-    Samples samples = made_up();
-    for (int n = 0; n < 50; ++n) {
-      samples.time.push_back(samples.time.back() + kInterval);
-      samples.u_x.push_back(samples.u_x.back() + again * kInterval);
-    }
-    const auto slip = measure_slip(samples.history(), kRupture, kNextFast);
-    ASSERT_TRUE(slip);
-    const bool ends = again > kNextFast;
-    const double later = ends ? 0.0 : 50 * kInterval;
-    EXPECT_NEAR(slip->t_end, kEnd + later, 1e-9) << again;
-    EXPECT_NEAR(slip->slow_slip, kSlowSlip * (kEnd - kRestart) + again * later, 1e-12) << again;
-  }
+  EXPECT_FALSE(slip_of({0, 10, 20}, 0.0)) << "ends before the arrest";
+  EXPECT_FALSE(slip_of({0, 10, 10, 11, 12}, 2.0)) << "slow slip that never stops";
+  EXPECT_FALSE(slip_of({0, 10, 10}, 3.0)) << "after the last sample";
 }
 
 TEST(SlowSlip, is_fitted_between_20_and_80_percent_of_what_happens_in_its_time) {
-  Samples samples;  // 1 um/ms for 1 ms, 4 um/ms for 1 ms, 1 um/ms ever after
+  std::vector<double> time, u_x;  // 1 um/ms for 1 ms, 4 um/ms for 1 ms, 1 um/ms ever after
   for (int n = 0; n <= 400; ++n) {
-    const double t = n * kInterval;
-    samples.time.push_back(t);
-    samples.u_x.push_back(1e-3 * t + 3e-3 * (std::clamp(t, 1e-3, 2e-3) - 1e-3));
+    const double t = n * 1e-5;
+    time.push_back(t);
+    u_x.push_back(1e-3 * t + 3e-3 * (std::clamp(t, 1e-3, 2e-3) - 1e-3));
   }
   // 6 um in 3 ms, 1.2 um to 4.8 um of which happen within the fast millisecond
-  const auto line = fit_slow_slip(samples.history(), {0.0, 3e-3});
+  const auto line = fit_slow_slip({time, u_x}, {0.0, 3e-3});
   ASSERT_TRUE(line);
   EXPECT_NEAR(line->slope, 4e-3, 0.05e-3);
-  const auto late = fit_slow_slip(samples.history(), {2.1e-3, 3e-3});
+  const auto late = fit_slow_slip({time, u_x}, {2.1e-3, 3e-3});
   ASSERT_TRUE(late);
   EXPECT_NEAR(late->slope, 1e-3, 1e-9);
-  EXPECT_FALSE(fit_slow_slip(samples.history(), {3e-3, 3.01e-3})) << "two samples";
-  EXPECT_FALSE(fit_slow_slip(samples.history(), {5e-3, 6e-3})) << "after the last sample";
+  EXPECT_FALSE(fit_slow_slip({time, u_x}, {3e-3, 3.01e-3})) << "two samples";
+  EXPECT_FALSE(fit_slow_slip({time, u_x}, {5e-3, 6e-3})) << "after the last sample";
 }
 
 /// Blocks 2.5 mm apart, of which 0..9 rupture at once, 10..29 one per 0.25 ms, the rest at once.
@@ -130,6 +112,15 @@ TEST_F(SlowSlipBehindAFront,
   EXPECT_NEAR(time_of(3)->from, front_.slow->t_from + wait_, 1e-12);
 }
 
+TEST_F(SlowSlipBehindAFront, is_followed_for_the_slipping_time_of_its_own_block) {
+  std::vector<double> t_R(57, p_.t_R[0]);
+  t_R[12] /= 2.0;
+  Parameters p;
+  p.t_R = AlongX(std::move(t_R));
+  const SlowSlipTime time = slow_slip_time(p, front_, 12, {}).value();
+  EXPECT_NEAR(time.to - time.from, mean_slipping_time(p, 12), 1e-12);
+}
+
 TEST_F(SlowSlipBehindAFront, ends_with_the_last_slow_stencil) {
   ASSERT_TRUE(time_of(24));
   EXPECT_LT(time_of(24)->to, time_of(24)->from + t_R_);
@@ -139,6 +130,7 @@ TEST_F(SlowSlipBehindAFront, ends_with_the_last_slow_stencil) {
 TEST_F(SlowSlipBehindAFront, needs_some_time_and_a_slow_front) {
   EXPECT_FALSE(time_of(26) || time_of(40));
   EXPECT_TRUE(time_of(26, {1.0, 0.1}));
+  EXPECT_TRUE(time_of(12, {0.0, 0.0})) << "no less than the shortest time";
   front_.slow.reset();
   EXPECT_FALSE(time_of(12));
   EXPECT_TRUE(slow_blocks(front_).empty());
@@ -158,6 +150,19 @@ TEST(SlowSlipEstimate, is_zero_where_nothing_drives_it) {
   EXPECT_EQ(slow_slip_estimate(p, 0, 0.0), 0.0);
   p.f_new = NewForce::f_slip;
   EXPECT_EQ(slow_slip_estimate(p, 0, 25.0), 0.0);
+}
+
+TEST(SlowSlipEstimate, has_the_parameters_of_its_block) {
+  Parameters p;
+  const double everywhere = slow_slip_estimate(p, 1, 25.0);
+  const auto times = [](const AlongX<double>& value, double factor) {
+    return AlongX(std::vector{value[0], value[1] * factor});
+  };
+  p.mu_d = times(p.mu_d, 3.0);
+  p.kappa = times(p.kappa, 4.0);  // k_ij ~ sqrt(kappa)
+  p.t_R = times(p.t_R, 8.0);
+  p.delta_t_R = times(p.delta_t_R, 8.0);
+  EXPECT_DOUBLE_EQ(slow_slip_estimate(p, 1, 25.0), 3.0 / (2.0 * 8.0) * everywhere);
 }
 
 TEST(Relaxation, without_breaking_slips_by_the_harmonic_sum) {
@@ -189,6 +194,25 @@ TEST(Relaxation, of_three_junctions_with_breaking_follows_the_hand) {
   EXPECT_NEAR(relaxation->net_slip, 1.0 + 4.75 / 3.0, 1e-14);
   EXPECT_NEAR(relaxation->slip_at_return, 2.25, 1e-14);
   EXPECT_GT(relaxation->quiet_time, relaxation->duration);
+}
+
+TEST(Relaxation, of_four_junctions_with_several_breaks_follows_the_hand) {
+  // f_thres = 1.7 f_slip. A, B, C attach at 0, 1 and 3/2: A breaks, which makes the slip 9/4. There
+  // attaches D: 31/12. There A: B breaks, 28/9. There B: C breaks, 197/54. There C: none breaks.
+  Parameters p;
+  p.N_s = 4;
+  p.mu_d = 0.2;
+  p.mu_s = 1.7 * 0.2;
+  const double attachments = 9.0 / 4.0 + 31.0 / 12.0 + 28.0 / 9.0 + 197.0 / 54.0;
+  EXPECT_NEAR(relax(p, 0).value().net_slip, 1.0 + attachments / 4.0, 1e-14);
+}
+
+TEST(Relaxation, lasts_until_the_last_junction_is_pinned_for_the_first_time) {
+  Parameters p;
+  p.slipping_times = SlippingTimes::exponential;  // some are pinned again before
+  double last = 0.0;
+  for (std::uint32_t j = 0; j < 100; ++j) last = std::max(last, slipping_time(p, 7, j, 0));
+  EXPECT_DOUBLE_EQ(relax(p, 7).value().duration, last / p.t_R[0]);
 }
 
 TEST(Relaxation, counts_time_in_mean_slipping_times) {

@@ -106,6 +106,16 @@ TEST_F(StrengthOfBlocks, lies_on_the_curve) {
   }
 }
 
+TEST_F(StrengthOfBlocks, is_in_units_of_each_block) {
+  p_.mu_s = AlongX<double>({0.4, 0.5, 0.6, 0.7, 0.8});
+  p_.mu_d = AlongX<double>({0.1, 0.2, 0.2, 0.1, 0.3});
+  carry(PhiShape::uniform, 0.3, 0.0);
+  for (const BlockStrength& block : block_strengths(p_, state_)) {
+    EXPECT_NEAR(*block.tau_bar_0, 0.3, 1e-12);
+    EXPECT_NEAR(*block.mu_bar_eff, 1.0, 1e-12);
+  }
+}
+
 TEST_F(StrengthOfBlocks, leaves_out_the_slipping_junctions) {
   carry(PhiShape::uniform, 0.0, 0.0);
   state_.junctions.repin_time.col(3) = 1e-3;

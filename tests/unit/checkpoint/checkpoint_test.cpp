@@ -54,13 +54,13 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
                  .last_break = 70,
                  .ruptures = 5,
                  .leading_edge_ruptured = true,
-                 .event = {{}, 0.25, 0.5, {}, {}},
-                 .last_rupture = 0.5,
+                 .event = {{{}, 0.25, 0.5, {}, {}}, 0.5},
                  .spanned = true,
                  .early = {.quiet_steps = 500, .spanned = true, .arrived_below = 0.25}};
   EXPECT_EQ(write(written), without) << "it is no part of the content that is checksummed";
   EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
-  for (const EarlyEnd& early : {EarlyEnd{}, {.spanned = true}, {.rupture_of = 4}}) {
+  for (const EarlyEnd& early :
+       {EarlyEnd{}, {.spanned = true}, {.rupture_of = 4}, {.quiet_time = 0.02}}) {
     written.run->early = early;
     write(written);
     EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);

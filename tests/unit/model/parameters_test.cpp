@@ -245,8 +245,8 @@ TEST(Derived, quantities_of_the_reference_slider_are_those_of_table_S1) {
   EXPECT_DOUBLE_EQ(friction_stretch(p, 0, mean), std::sqrt(1920 / 5700.0 / 39.2e9));
 }
 
-TEST(Derived, stiffness_from_the_initial_force_is_that_of_an_even_load) {
-  const Parameters current;
+TEST(Derived, stiffness_from_the_initial_force_is_that_of_the_load_on_the_column) {
+  Parameters current;
   Parameters initial;
   initial.k_ij_from = StiffnessFrom::initial;
   const double mean = mean_normal_force(current);
@@ -262,6 +262,13 @@ TEST(Derived, stiffness_from_the_initial_force_is_that_of_an_even_load) {
           << "the strength follows the current force";
     }
   }
+  set_parameter(initial, "slider.load", "3 from 0 to 70mm");
+  set_parameter(current, "slider.load", "3 from 0 to 70mm");
+  for (const std::int64_t i : {0, 56}) {  // 29 of 57 blocks bear three times as much as the others
+    const double load = current.F_N * (i == 0 ? 3.0 : 1.0) / (3.0 * 29.0 + 28.0);
+    EXPECT_DOUBLE_EQ(junction_stiffness(initial, i, mean), junction_stiffness(current, i, load));
+  }
+  EXPECT_DOUBLE_EQ(stable_time_step(initial), stable_time_step(current, column_load(current, 0)));
 }
 
 TEST(Derived, mean_slipping_time_is_that_of_the_folded_gaussian) {
