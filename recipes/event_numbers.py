@@ -24,7 +24,7 @@ def numbers_of(front):
         "to [L]": ratio(slow.get("x_to"), L),
         "fast before/c_s": ratio(slow.get("fast_before"), c_s),
         "slowest/c_s": ratio(slow.get("slowest"), c_s),
-        "mean slow speed/c_s": ratio(slow.get("mean"), c_s),
+        "mean slow speed/c_s": ratio(slow.get("mean_speed"), c_s),
     }
 
 

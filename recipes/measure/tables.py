@@ -11,7 +11,7 @@ SLOW_STRETCH = {  # name in a report: for readers
     "x_to": "slow to [m]",
     "duration": "duration [s]",
     "speed": "slow speed [m/s]",
-    "mean": "mean slow speed [m/s]",
+    "mean_speed": "mean slow speed [m/s]",
     "slowest": "slowest stencil [m/s]",
     "fast_before": "fast before [m/s]",
     "fast_after": "fast after [m/s]",
