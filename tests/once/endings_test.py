@@ -8,11 +8,11 @@ import time
 
 import pytest
 
+pytest_plugins = "laboratory"
+
 
 MANY = """
 from itertools import product
-
-pytest_plugins = "laboratory"
 def front(n, m):
     start = run(f"load --seed {n} --sleep 0.01 -o a.h5", keep=["a.h5"])["a.h5"]
     after = run(f"restart {start} --x {m} --sleep 0.02 -o b.h5 --record r.h5", keep=["r.h5"])

@@ -72,7 +72,7 @@ class Laboratory:
 
 @pytest.fixture
 def lab(monkeypatch):
-    before = [signal.getsignal(number) for number in SIGNALS]
+    before = [signal.signal(number, signal.SIG_DFL) for number in SIGNALS]  # nohup ignores some
     with tempfile.TemporaryDirectory(dir=ROOM) as folder:
         monkeypatch.chdir(folder)
         monkeypatch.syspath_prepend(folder)
