@@ -20,7 +20,7 @@ from chains.points import Waiting, those
 from chains.selection import Chains
 from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_current, read, write_if_changed
 from rupture.errors import Failure, UsageError
-from reproduce.written import note
+from report.written import note
 
 DATA = RESULTS / "data"
 FOLDER = DATA / "plan"

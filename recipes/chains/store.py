@@ -8,7 +8,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from reproduce.written import take
+from report.written import take
 from rupture.replacing import replacing, write_whole
 
 RESULTS = Path("results")

@@ -18,7 +18,7 @@ from claims.judge import table
 from conftest import BIN, ROOT, run
 from fixture import png
 from reproduce import compute
-from reproduce.written import append_to
+from report.written import append_to
 from stand_ins import Project
 
 FILES = {
