@@ -1,10 +1,12 @@
 """What a command is known by, and that nothing runs which nobody needs."""
 
 import shutil
+import time
 
 import pytest
 
 from conftest import BIN
+from rupture.commands import code
 from rupture.commands.code import digest_at, sections, stamp_of
 from rupture.errors import Failure, NoSuchName, UsageError
 from rupture import once
@@ -156,6 +158,19 @@ def test_an_input_that_changes_meanwhile_is_no_input(lab):
     lab.write("table.csv", "b")
     with pytest.raises(Failure, match="has changed meanwhile"):
         open(made)
+    assert lab.ran() == []
+
+
+@pytest.mark.parametrize("name", ["recipe.py", "bin/load"])
+def test_a_program_or_module_that_changes_meanwhile_is_not_used(lab, monkeypatch, name):
+    recipe = lab.module("recipe", "def it(path): return path.read_text()")
+    monkeypatch.setattr(code, "BEGAN", time.time() + 0.05)
+    made = run("load -o a.h5")["a.h5"]
+    time.sleep(0.1)
+    with open(lab.folder / name, "a") as file:
+        file.write("# changed\n")
+    with pytest.raises(Failure, match=f"{name} has changed meanwhile"):
+        measured(recipe.it, made)
     assert lab.ran() == []
 
 
