@@ -12,7 +12,7 @@ import re
 
 from chains.store import RESULTS, SPARE, digest_file, digest_of_tool, is_current, write_if_changed
 from rupture.errors import Failure, UsageError
-from reproduce.written import note
+from report.written import note
 
 MOST_BATCHES = 64  # of up to LARGEST_BATCH points, so that many cores have work until the end
 LARGEST_BATCH = 60  # points

@@ -23,7 +23,7 @@ from pathlib import Path
 from chains.store import digest_file, is_current, make_spare, origin_of, read, result_of
 from chains.store import save_origin, tools_of, write_if_changed
 from rupture.replacing import write_whole
-from reproduce.written import append_to
+from report.written import append_to
 
 HOLE = re.compile(r"\{([^{}]*)\}")
 OUTPUTS = ("-o", "--output", "--record")  # options with which a program writes files

@@ -7,7 +7,7 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
-from reproduce.written import take
+from report.written import take
 from rupture.commands.code import digest, digest_at, path_of, stamp_of
 from rupture.replacing import replacing, write_whole
 

@@ -100,7 +100,7 @@ def plain(value):
 
 def write_claims(path, claims, numbers=(), builds=()):
     """Writes all or nothing. NaN is an error: a missing value is None. `builds`: of the programs
-    that have computed what was judged (report/origin.py)."""
+    that have computed what was judged (report/jobs.py)."""
     content = {"schema": SCHEMA, "claims": [*map(asdict, claims)]}
     content |= {"numbers": [*map(asdict, numbers)], "builds": builds}
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"

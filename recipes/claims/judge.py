@@ -159,9 +159,18 @@ def verdict_of_shares(row, shown, shares):
     return DEPENDS, f"holds in {primary.text(unit)}{extreme}{beside}{few}"
 
 
-def verdict_of(row, shown, shares, held):
+def too_few(row, count):
+    what = "seeds" if is_one_state(row) else plural(row["unit"])
+    if not count:
+        return f"only the case shown was judged, no other {what}"
+    judged = f"{count} {what} were" if count > 1 else f"1 {row['unit']} was"
+    return f"only {judged} judged; a verdict needs {FEWEST}"
+
+
+def verdict_of(row, shown, shares, held, count):
     """The verdict, None without units, and its reason in one line. `shown`: whether the claim holds
-    for the case in the picture; `held`: {convention: whether it holds} for one state."""
+    for the case in the picture; `held`: {convention: whether it holds} for one state; `count`: of
+    units, which may be too few for shares."""
     if not row["conditions"]:
         return NOT_COMPARABLE, "the paper gives no number to compare with; ours are reported"
     if shown is None:
@@ -171,8 +180,7 @@ def verdict_of(row, shown, shares, held):
     if shares:
         return verdict_of_shares(row, shown, shares)
     if row.get("unit"):
-        what = "seeds" if is_one_state(row) else plural(row["unit"])
-        return None, f"only the case shown was judged, no other {what}"
+        return None, too_few(row, count)
     return verdict_of_state(held)
 
 
@@ -219,7 +227,7 @@ def judged(row, measured, samples):
     held = {}
     if accepted is not None and not samples.units:
         held = held_in_state(row, measured, next(iter(samples.shown.values())), accepted)
-    verdict, reason = verdict_of(row, accepted, shares, held)
+    verdict, reason = verdict_of(row, accepted, shares, held, len(found[PRIMARY]))
     if shares:
         reason += share_of_all(row, found[PRIMARY])
     if accepted is False:

@@ -7,7 +7,7 @@ TABLE = "docs/verdicts.csv"
 
 
 def version_of(build):
-    """The version in the text about a build (report/origin.py); None if it is not known."""
+    """The version in the text about a build (rupture/commands/code.py)."""
     found = re.match(r"rupture ([^,]+), ", build)
     return found and found[1]
 
@@ -16,7 +16,7 @@ def released(root, builds):
     """{claim: "0.4.0: depends, 58 of 91"}. Nothing unless builds of that version, from unchanged
     sources, wrote all that is behind the results."""
     table = root / TABLE
-    known = {None if "-dirty," in build else version_of(build) for build, _ in builds}
+    known = {None if "-dirty" in build else version_of(build) for build, _ in builds}
     lines = table.read_text(encoding="utf-8").splitlines() if table.is_file() else ()
     return {
         row["id"]: f"{row['version']}: {row['verdict']}{share_of(row)}"

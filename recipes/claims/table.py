@@ -32,6 +32,13 @@ def table(paper=""):
     return found
 
 
+def samples_from(recipe):
+    """The recipe that computes the samples of the others of its paper; None if each computes its
+    own."""
+    name = read(paper_of(recipe))[0].get("samples")
+    return name and str(Path(paper_of(recipe), name))
+
+
 def row_of(claim_id):
     return table(paper_of(claim_id))[claim_id]
 

@@ -5,7 +5,7 @@ import shutil
 from contextlib import suppress
 
 from reproduce.project import READ, ROOT, WORK, say
-from reproduce.written import LIST, written
+from report.written import LIST, written
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"

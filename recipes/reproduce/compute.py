@@ -13,7 +13,7 @@ from pathlib import Path
 from chains.store import digest, put_back, read, write_if_changed
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
-from reproduce.written import LIST, append_to, note, refuse_others
+from report.written import LIST, append_to, note, refuse_others
 from reproduce.machine import usable_megabytes
 from reproduce.project import LOGS, PROGRAMS, READ, ROOT, SHARE, refuse_links, say
 from reproduce.project import use_own_environment

@@ -1,6 +1,8 @@
 """What a command is known by, and that nothing runs which nobody needs."""
 
+import json
 import shutil
+import subprocess
 import time
 
 import pytest
@@ -96,6 +98,17 @@ def test_a_changed_program_counts_its_version_does_not(lab):
     same = digest_at(str(BIN / "analyze"), stamp_of(BIN / "analyze"))
     assert digest_without_first_byte_of(b".rupture_version") == same
     assert digest_without_first_byte_of(b".text") != same
+
+
+def test_a_result_says_when_and_by_which_build_of_the_programs(lab, monkeypatch):
+    monkeypatch.setenv("RUPTURE_BIN", str(BIN))
+    before = int(time.time())
+    run("prepare --tau-bar 0.3 -o start.h5")["start.h5"].__fspath__()
+    [stored] = lab.stored("*.json").values()
+    known = json.loads(stored)
+    said = subprocess.run([BIN / "prepare", "--version"], capture_output=True, text=True).stdout
+    assert f"({known['build']}, " in said
+    assert before <= known["started"] <= time.time()
 
 
 def test_the_words_that_are_typed_are_those_that_run(lab):

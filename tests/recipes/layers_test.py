@@ -1,58 +1,107 @@
-"""Modules of recipes/ import only from below, and what is below the recipes names none of them."""
+"""Who may import whom: each layer only those below it, so that a change has a direction."""
 
 import ast
+import re
 
 import pytest
 
-from claims.recipes import recipe_names
+from claims.recipes import paper_of, recipe_names
 from claims.table import table
 from conftest import ROOT
 
-RECIPES = ROOT / "recipes"
-LAYERS = ("measure", "claims", "recipes", "report", "chains", "reproduce")  # from below
-PACKAGES = [layer for layer in LAYERS if layer != "recipes"]
-MODULES = sorted(path for path in RECIPES.rglob("*.py"))
-BELOW = [ROOT / "python/rupture", RECIPES / "measure", RECIPES / "claims"]
-# Whose samples they are; and where the first paper's are.
-NAMES = {*recipe_names(ROOT), *table()}
+PACKAGES = ["rupture", "measure", "claims", "a recipe", "report", "reproduce"]  # lowest first
+OLD = "chains"  # users' sweeps; `reproduce` alone calls it
+SOURCES = [*(ROOT / "python/rupture").rglob("*.py"), *(ROOT / "recipes").rglob("*.py")]
+RECIPES = recipe_names(ROOT)
 
 
-def layer_of(name):
-    """Of a module, as one imports it; -1 of the package rupture and of what is not ours."""
-    first = name.partition(".")[0]
-    if first in PACKAGES:
-        return LAYERS.index(first)
-    is_recipe = (RECIPES / first).is_dir() or (RECIPES / f"{first}.py").exists()
-    return LAYERS.index("recipes") if is_recipe else -1
+def layer_of(module):
+    """Of a module of ours by its full name; None for others."""
+    top = module.partition(".")[0]
+    if top in PACKAGES or top == OLD:
+        return top
+    names = {name.partition("/")[0] for name in RECIPES}
+    shared = {path.stem for path in (ROOT / "recipes").glob("*.py")}
+    return "a recipe" if top in names | shared else None
 
 
-def imported(path):
-    for node in ast.walk(ast.parse(path.read_bytes())):
+def module_of(path):
+    folder = ROOT / ("python" if ROOT / "python" in path.parents else "recipes")
+    return ".".join(path.relative_to(folder).with_suffix("").parts)
+
+
+def imports_of(text):
+    """(line, module) of each import in a module, wherever it stands."""
+    for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
-            yield from (one.name for one in node.names)
+            yield from ((node.lineno, one.name) for one in node.names)
         elif isinstance(node, ast.ImportFrom):
-            assert not node.level, f"{path}: an import relative to it"
-            yield str(node.module)
+            assert not node.level, "imports are absolute"
+            yield node.lineno, node.module
 
 
-@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(RECIPES)))
-def test_a_module_imports_only_from_below(path):
-    own = layer_of(path.relative_to(RECIPES).with_suffix("").as_posix().replace("/", "."))
-    assert [name for name in imported(path) if layer_of(name) > own] == []
+def climbing(module, text):
+    """The imports of a module that lead to a layer above its own."""
+    for line, other in imports_of(text):
+        own, its = layer_of(module), layer_of(other)
+        if its == OLD and own not in (OLD, "reproduce"):
+            yield f"{module}:{line} imports {other}"
+        elif {own, its} <= {*PACKAGES} and PACKAGES.index(its) > PACKAGES.index(own):
+            yield f"{module}:{line} imports {other}"
 
 
-def test_the_package_imports_nothing_of_recipes():
-    for path in (ROOT / "python/rupture").rglob("*.py"):
-        assert [name for name in imported(path) if layer_of(name) >= 0] == []
+@pytest.mark.parametrize("path", SOURCES, ids=module_of)
+def test_a_module_imports_only_from_its_layer_and_those_below(path):
+    assert [*climbing(module_of(path), path.read_text(encoding="utf-8"))] == []
+
+
+@pytest.mark.parametrize(
+    "module, text, is_found",
+    [
+        ("measure.tables", "from claims.claim import Claim", True),
+        ("claims.judge", "def f():\n    import fig3.commands", True),
+        ("rupture.figures", "from measure import fronts", True),
+        ("events", "import report.page", True),
+        ("report.crate", "from reproduce import clean", True),
+        ("report.crate", "from chains.ini import new_ini", True),
+        ("fig3.figure", "import events, fig2.commands, claims.paper, numpy", False),
+        ("reproduce.compute", "import chains.plan, report.page", False),
+    ],
+)
+def test_an_import_that_climbs_is_found(module, text, is_found):
+    assert bool([*climbing(module, text)]) == is_found
 
 
 def texts_in(path):
-    """Those of the code, without docstrings."""
-    for node in ast.walk(ast.parse(path.read_bytes())):
+    """(line, text) of what a module says or compares with, without docstrings."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    docstrings = {
+        id(node.body[0].value)
+        for node in ast.walk(tree)
+        if isinstance(getattr(node, "body", None), list) and node.body
+        if isinstance(node.body[0], ast.Expr)
+    }
+    for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            yield node.value
+            if id(node) not in docstrings:
+                yield node.lineno, node.value
 
 
-def test_nothing_below_the_recipes_knows_a_recipe_or_a_claim_by_name():
-    for path in (path for folder in BELOW for path in folder.rglob("*.py")):
-        assert NAMES.intersection(texts_in(path)) == set(), path
+BELOW = [path for path in SOURCES if layer_of(module_of(path)) in PACKAGES[:3]]
+NAMES = {*RECIPES, *(claim for paper in {*map(paper_of, RECIPES)} for claim in table(paper))}
+NAMES -= {"speeds"}  # a plain word, too
+NAMED = re.compile(rf"(?<![\w-])({'|'.join(map(re.escape, NAMES))})(?![\w-])")
+
+
+@pytest.mark.parametrize("path", BELOW, ids=module_of)
+def test_what_is_below_recipes_knows_none_of_them_and_no_claim(path):
+    found = ((line, NAMED.findall(text)) for line, text in texts_in(path))
+    assert [one for one in found if one[1]] == []
+
+
+def test_a_name_in_a_sentence_is_found():
+    assert NAMED.findall("./reproduce.sh ensemble fig3: 2A-numbers") == [
+        "ensemble",
+        "fig3",
+        "2A-numbers",
+    ]

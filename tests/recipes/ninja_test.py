@@ -14,7 +14,7 @@ from chains import progress
 from chains.point import compute as compute_point
 from chains.sweeps import OwnSweep
 from conftest import BIN, ROOT, run
-from reproduce.written import append_to
+from report.written import append_to
 from stand_ins import Project
 
 FILES = {

@@ -6,6 +6,7 @@ a commit or a new sentence recomputes nothing, and a changed constant all that i
 import ast
 import hashlib
 import os
+import re
 import shutil
 import struct
 import sys
@@ -20,7 +21,10 @@ from rupture.programs import DRAWING, PACKAGE
 
 RUNS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints and records
 OURS = ("analyze", *RUNS, *DRAWING)
-NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
+OF_BUILD = b".rupture_version"  # cmake/WriteVersion.cmake
+NOT_COMPUTED_WITH = (b".note.gnu.build-id", OF_BUILD)
+ELF = b"\x7fELF\x02"
+VERSION = re.compile(r"\d+\.\d+\.\d+")
 LOADED, NO_BITS = 2, 8  # in ELF: a flag of sections in memory; the type of those without bytes
 BEGAN = time.time()
 STANDARD = sysconfig.get_paths()["stdlib"]
@@ -45,7 +49,7 @@ def stamp_of(path):
 def digest_at(path, _stamp):
     """Of a file; of a program only what is in memory when it runs."""
     content = Path(path).read_bytes()
-    if not content.startswith(b"\x7fELF\x02"):
+    if not content.startswith(ELF):
         return digest(content)
     return digest(*(text for name, text in sections(content) if name not in NOT_COMPUTED_WITH))
 
@@ -62,6 +66,18 @@ def sections(content):
     for name, kind, flags, _, place, length in headers:
         if flags & LOADED and kind != NO_BITS:
             yield names[name : names.index(b"\0", name)], content[place : place + length]
+
+
+@cache
+def build_at(path, _stamp):
+    """Version and commit of a program of ours; None of any other."""
+    content = Path(path).read_bytes()
+    of_build = dict(sections(content)).get(OF_BUILD) if content.startswith(ELF) else None
+    if not of_build:
+        return None
+    texts = sorted(text.decode() for text in of_build.split(b"\0") if text)
+    version = next(text for text in texts if VERSION.fullmatch(text))
+    return f"rupture {version}, commit {next(text for text in texts if text != version)}"
 
 
 def path_of(program):

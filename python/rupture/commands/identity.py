@@ -6,8 +6,8 @@ import re
 import shlex
 from pathlib import Path
 
-from rupture.commands.code import OURS, RUNS, digest, digest_at, digest_of_function
-from rupture.commands.code import digest_of_program, path_of, stamp_of
+from rupture.commands.code import OURS, RUNS, build_at, digest, digest_at
+from rupture.commands.code import digest_of_function, digest_of_program, path_of, stamp_of
 from rupture.errors import Failure, MachineFailure, NoSuchName, UsageError, is_of_machine
 
 TOKEN = re.compile(r"@([0-9a-f]{16})/([\w.+-]+)")  # a made file in a command
@@ -65,6 +65,10 @@ class Work:
         path = os.path.join(self.folder, name)
         return os.path.realpath(path) if os.path.isfile(path) else None
 
+    def build(self):
+        """Which programs of ours do it; None for others."""
+        return None
+
     def named(self, name, source):
         """The plain name of an input, numbered if it is taken."""
         stem, dot, ending = name.rpartition(".")
@@ -116,6 +120,10 @@ class Command(Work):
             wrote = ", ".join(self.outputs) or "no files"
             raise NoSuchName(f"'{self.line}' writes {wrote}, not {name}")
         return Made(self, name)
+
+    def build(self):
+        path = path_of(self.program)
+        return build_at(path, stamp_of(path))
 
     def done_in(self, folder, executor):
         """Its result in a folder with its inputs. Raises Failure if there is none."""

@@ -130,7 +130,8 @@ class Making:
                 folder.mkdir()
                 for name, path in paths.items():
                     put_input(path, folder / name)
-            result = {"command": work.line} | work.done_in(folder, self.executor)
+            result = {"command": work.line, "build": work.build(), "started": int(time.time())}
+            result |= work.done_in(folder, self.executor)
             result["seconds"] = round(time.monotonic() - since, 3)
             is_made = not work.has_report and result["status"] == "done"
             if is_made:

@@ -100,7 +100,7 @@ class Store:
         self.lock.close()
 
     def place(self, own, name):
-        return self.folder / own[:2] / f"{own}.{name}"
+        return self.folder / place_of(own, name)
 
     def refuse(self, place, sentence):
         """What is not as it was written goes."""
@@ -165,6 +165,11 @@ class Store:
         if self.checked.get(place) == stamp:
             return place
         return self.refuse(place, "it is made again")
+
+
+def place_of(own, name):
+    """Of a file in the folder of a store."""
+    return f"{own[:2]}/{own}.{name}"
 
 
 def link_or_copy(source, path):
