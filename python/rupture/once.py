@@ -17,6 +17,7 @@ import atexit
 import os
 import signal
 import sys
+import threading
 import time
 from contextlib import contextmanager
 from pathlib import Path
@@ -30,6 +31,7 @@ from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
 from rupture.commands.script import script_of
 from rupture.commands.store import Report, Store, complain
+from rupture.replacing import ENDING
 
 __all__ = ["Made", "Refused", "Report", "Unknown"]
 __all__ += ["asked", "each", "keep", "known", "measured", "run", "script_of", "use"]
@@ -45,8 +47,8 @@ def use(store=None, cores=None, dry_run=None, cap=None):
     cores = 1 if dry_run else cores or programs_at_a_time()
     place = Store(store or os.environ.get("RUPTURE_STORE", "store"))
     current.append(Making(place, Local(), Pool(cores), dry_run, cap))
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
+    for number in ENDING:
+        if is_main() and signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
             signal.signal(number, end)
     return current[0]
 
@@ -68,9 +70,18 @@ def end(number, _):
     sys.exit(128 + number)
 
 
+def is_main():
+    return threading.current_thread() is threading.main_thread()
+
+
+def the_call():
+    """This one; a new one after an interruption, in a notebook."""
+    return current[0] if current and not (current[0].pool.stopped and is_main()) else use()
+
+
 def work_of(kind, *words, keep=()):
     """A command or measurement of the recipe or script that asks for it."""
-    making = current[0] if current else use()
+    making = the_call()
     file = sys._getframe(2).f_globals.get("__file__")
     work = kind(*words, making, Path(file).resolve().parent if file else Path.cwd())
     work.kept = {work[name].name for name in keep}
@@ -106,7 +117,7 @@ class Points(list):
 def each(function, points, title="", only_known=False):
     """function(*point) of all points, side by side. What a point has named goes when it is done,
     but for what is kept. `only_known`: of what is in the store already."""
-    making = current[0] if current else use()
+    making = the_call()
     points = [point if isinstance(point, tuple) else (point,) for point in points]
     around = Scope(making.scope, only_known)
     scopes = [Scope(around) for _ in points]
@@ -142,7 +153,7 @@ def known(function, points, title=""):
 @contextmanager
 def asked():
     """Yields a list, in which is in the end what was asked for within: commands, in order."""
-    scope = (current[0] if current else use()).scope
+    scope = the_call().scope
     log: list[Command | Measurement] = []
     begin = len(scope.asked)
     yield log

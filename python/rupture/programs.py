@@ -27,9 +27,9 @@ def own_folder():
 def path_of(program):
     """A program in the folder $RUPTURE_BIN, in this build or installation, or in that of the
     `rupture` on the PATH."""
-    own, rupture = os.environ.get("RUPTURE_BIN"), shutil.which("rupture")
+    own = os.environ.get("RUPTURE_BIN")
     folders = [Path(own or own_folder())]
-    if not own and rupture:
+    if not own and (rupture := shutil.which("rupture")):
         bin_folder = Path(rupture).resolve().parent
         folders += [bin_folder.parent / "libexec/rupture", bin_folder]
     for path in (str(folder / program) for folder in folders):

@@ -8,11 +8,11 @@ import time
 
 import pytest
 
+pytest_plugins = "laboratory"
+
 
 MANY = """
 from itertools import product
-
-pytest_plugins = "laboratory"
 def front(n, m):
     start = run(f"load --seed {n} --sleep 0.01 -o a.h5", keep=["a.h5"])["a.h5"]
     after = run(f"restart {start} --x {m} --sleep 0.02 -o b.h5 --record r.h5", keep=["r.h5"])
@@ -41,10 +41,10 @@ def results(lab):
     return found
 
 
-def sleeping():
-    """Programs of stand-ins that are there still."""
-    done = os.popen("ps -e -o args").read()
-    return [line for line in done.splitlines() if "--sleep 60" in line and "analyze" in line]
+def sleeping(lab):
+    """Programs that are there still."""
+    lines = os.popen("ps -e -o args").read().splitlines()
+    return [line for line in lines if f"{lab.folder}/bin/analyze" in line]
 
 
 def wait_for(condition):
@@ -79,7 +79,7 @@ def test_kills_at_any_moment_leave_results_of_an_uninterrupted_call(lab):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_signal_ends_programs_and_says_how_to_go_on(lab, number):
     with lab.start(LONG) as it:
-        wait_for(lambda: len(sleeping()) == 2 and lab.stored("*.json"))
+        wait_for(lambda: len(sleeping(lab)) == 2 and lab.stored("*.json"))
         since = time.monotonic()
         it.send_signal(number)
         output, said = it.communicate(timeout=20)
@@ -90,7 +90,7 @@ def test_a_signal_ends_programs_and_says_how_to_go_on(lab, number):
     ]
     assert "Traceback" not in said
     assert output == "analyze stress --sleep 0 --x 0\n"
-    wait_for(lambda: not sleeping())
+    wait_for(lambda: not sleeping(lab))
     assert sorted(path.name for path in lab.store.iterdir() if len(path.name) > 2) == [
         "rupture-store"
     ]
@@ -99,9 +99,9 @@ def test_a_signal_ends_programs_and_says_how_to_go_on(lab, number):
 
 def test_a_killed_call_takes_its_programs_with_it(lab):
     with lab.start("run('analyze stress --sleep 60')") as it:
-        wait_for(sleeping)
+        wait_for(lambda: sleeping(lab))
         it.kill()
-    wait_for(lambda: not sleeping())
+    wait_for(lambda: not sleeping(lab))
     lab.call()
     assert os.listdir(lab.store / "now") == []
 

@@ -1,10 +1,12 @@
 """What a command is known by, and that nothing runs which nobody needs."""
 
 import shutil
+import time
 
 import pytest
 
 from conftest import BIN
+from rupture.commands import code
 from rupture.commands.code import digest_at, sections, stamp_of
 from rupture.errors import Failure, NoSuchName, UsageError
 from rupture import once
@@ -118,8 +120,8 @@ def test_nothing_runs_for_names(lab):
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda: run("load -o end.h5 --record record.h5")["recrod.h5"],
-        lambda: run("load -o end.h5", keep=["ned.h5"]),
+        lambda: run("load -o end.h5 --record record.h5")["records.h5"],
+        lambda: run("load -o end.h5", keep=["ends.h5"]),
         lambda: run("analyze stress", keep=["end.h5"]),
     ],
 )
@@ -135,7 +137,7 @@ def test_a_misspelled_name_is_an_error_at_once(lab, wrong):
         "rupture",
         "load -o ../end.h5",
         "load --output=/tmp/a.h5",
-        "laod -o a.h5",
+        "lod -o a.h5",
         "load @0123456789abcdef/a.h5 -o b.h5",
     ],
 )
@@ -156,6 +158,19 @@ def test_an_input_that_changes_meanwhile_is_no_input(lab):
     lab.write("table.csv", "b")
     with pytest.raises(Failure, match="has changed meanwhile"):
         open(made)
+    assert lab.ran() == []
+
+
+@pytest.mark.parametrize("name", ["recipe.py", "bin/load"])
+def test_a_program_or_module_that_changes_meanwhile_is_not_used(lab, monkeypatch, name):
+    recipe = lab.module("recipe", "def it(path): return path.read_text()")
+    monkeypatch.setattr(code, "BEGAN", time.time() + 0.05)
+    made = run("load -o a.h5")["a.h5"]
+    time.sleep(0.1)
+    with open(lab.folder / name, "a") as file:
+        file.write("# changed\n")
+    with pytest.raises(Failure, match=f"{name} has changed meanwhile"):
+        measured(recipe.it, made)
     assert lab.ran() == []
 
 

@@ -1,5 +1,6 @@
 """A folder with stand-ins for programs, a store, and calls that use it."""
 
+import math
 import os
 import shutil
 import signal
@@ -13,6 +14,7 @@ import pytest
 
 from conftest import ROOT
 from rupture import once
+from rupture.commands import code
 
 HERE = Path(__file__).parent
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze", "rupture")
@@ -72,13 +74,14 @@ class Laboratory:
 
 @pytest.fixture
 def lab(monkeypatch):
-    before = [signal.getsignal(number) for number in SIGNALS]
+    before = [signal.signal(number, signal.SIG_DFL) for number in SIGNALS]  # nohup ignores some
     with tempfile.TemporaryDirectory(dir=ROOM) as folder:
         monkeypatch.chdir(folder)
         monkeypatch.syspath_prepend(folder)
         monkeypatch.setenv("RUPTURE_BIN", f"{folder}/bin")
         monkeypatch.setenv("PYTHONPATH", f"{ROOT}/python")
         monkeypatch.setenv("LAB", folder)
+        monkeypatch.setattr(code, "BEGAN", math.inf)
         it = Laboratory(Path(folder))
         it.call()
         yield it

@@ -10,10 +10,11 @@ import shutil
 import struct
 import sys
 import sysconfig
+import time
 from functools import cache
 from pathlib import Path
 
-from rupture.errors import UsageError
+from rupture.errors import Failure, UsageError
 from rupture import programs
 from rupture.programs import DRAWING, PACKAGE
 
@@ -21,6 +22,7 @@ RUNS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints an
 OURS = ("analyze", *RUNS, *DRAWING)
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", b".rupture_version")  # cmake/WriteVersion.cmake
 LOADED, NO_BITS = 2, 8  # in ELF: a flag of sections in memory; the type of those without bytes
+BEGAN = time.time()
 STANDARD = sysconfig.get_paths()["stdlib"]
 
 
@@ -110,6 +112,8 @@ def imported(tree):
 
 def read_module(path, store):
     """A digest of its code, and what it imports. The store has both for each text."""
+    if os.stat(path).st_ctime > BEGAN:  # what was imported may be another text
+        raise Failure(f"{path} has changed meanwhile: start again")
     own = digest("code", source := path.read_bytes())
     if not (known := store.result(own)):
         tree = ast.parse(source)
@@ -135,6 +139,7 @@ def modules_at(level, name, folder):
     return found
 
 
+@cache
 def digest_of_modules(path, store):
     """Of this one and all of ours that it imports, directly or not."""
     waiting, codes = [path], {}

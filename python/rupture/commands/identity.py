@@ -93,6 +93,7 @@ class Command(Work):
         self.words = [words[0], *map(self.plain, words[1:])]
         self.line = shlex.join(self.words)
         self.typed = f"rupture {self.line}" if self.program in OURS else self.line
+        self.stamps[path_of(self.program)] = stamp_of(path_of(self.program))
         self.own = self.known_by(digest_of_program(self.program, making.store), *self.words)
 
     def plain(self, word):
