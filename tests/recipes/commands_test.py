@@ -100,7 +100,7 @@ def lines_of_recipes(folder):
 def calls_in(text):
     """Words of each call of a program, without files. A part that the shell computes is `$`,
     and so is a list with semicolons."""
-    text = text.replace("\\\n", " ")
+    text = re.sub(r"^PYTHONPATH=.*", "", text.replace("\\\n", " "), flags=re.MULTILINE)  # Python
     text = re.sub(r'\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+|"[^"]*;[^"]*"', "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):
         words = shlex.split(re.sub(r"\d?>.*", "", part).replace("{", " ").replace("(", " "))
