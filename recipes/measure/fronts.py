@@ -25,7 +25,10 @@ def is_fast_slow(front):
     slow = front["slow"]
     if front["type"] != "slow" or slow is None or slow["fast_before"] is None:
         return False
-    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and (slow["duration"] or 0) >= SLOW_FOR
+    return (
+        slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"]
+        and (slow["duration"] or 0) >= SLOW_FOR
+    )
 
 
 def has_slow_stretch(front):

@@ -57,7 +57,8 @@ def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_
 LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
 STOPPED = {"fronts": {PRIMARY: LINE | {"in_words": None}}, "undriven": LINE, "stop": 1e-3}
 EVENT = {"F_T_before": 2.0, "F_T_after": 1.0, "t_rupture": [0.0]}
-RUN = {PRIMARY: [EVENT | {"t_start": t, "spanning": t > 1} for t in (1.0, 2.0, 3.0)]}
+TIMES = (0.5, 1.0, 2.0, 3.0)  # the first of these is not over
+RUN = {PRIMARY: [EVENT | {"t_start": t, "spanning": t != 1, "is_over": t > 0.5} for t in TIMES]}
 
 
 @mark.parametrize(
