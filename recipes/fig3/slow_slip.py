@@ -103,7 +103,7 @@ def fit_of(rows):
 
 
 def fits_of(seed):
-    """A sample: rows, those that the claim is about, {way to measure: fit}, and that of event II."""
+    """A sample: rows, those that the claim is about, {way to measure: fit}, that of event II."""
     rows = slow.by_way(fronts(seed))
     ways = {name: (rows[PRIMARY], k_i) for name, k_i in K_I.items()}
     ways |= {name: (of, K_I[PRIMARY]) for name, of in rows.items() if name != PRIMARY}

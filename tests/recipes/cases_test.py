@@ -1,5 +1,5 @@
-"""What rows of claims.toml measure beside their conditions, where events branch, and the friction of
-single blocks; all made up."""
+"""What rows of claims.toml measure beside their conditions, where events branch, and the friction
+of single blocks; all made up."""
 
 from types import SimpleNamespace
 
@@ -80,7 +80,12 @@ def test_events_branch_where_the_convention_says():
 
 def test_an_event_starts_half_a_millisecond_before_from_the_last_checkpoint(monkeypatch):
     lines = []
-    monkeypatch.setattr("events.run", lambda line, keep: lines.append(line) or {"start.h5": ""})
+
+    def run(line, keep):
+        lines.append(line)
+        return {"start.h5": ""}
+
+    monkeypatch.setattr("events.run", run)
     load = {events.checkpoint_at(time): f"t={time:g}" for time in events.TIMES}
     for t_start in (0.4203, 0.4006, 0.4005):
         events.before(load, SimpleNamespace(t_start=t_start))

@@ -249,10 +249,12 @@ def test_samples_are_computed_or_those_count_that_are_there(monkeypatch):
         refused = [((2,), "no such phi")]
 
     for name in ("each", "known"):
-        found = Found([((3,), "three"), ((1,), "one")])
-        monkeypatch.setattr(
-            f"claims.samples.{name}", lambda *_, name=name, found=found: calls.append(name) or found
-        )
+
+        def function(*_, name=name):
+            calls.append(name)
+            return Found([((3,), "three"), ((1,), "one")])
+
+        monkeypatch.setattr(f"claims.samples.{name}", function)
     for is_whole in (False, True):
         monkeypatch.setattr(Sampling, "is_whole", is_whole)
         points, results = zip(*sampled(print, [(1,), (2,), (3,), (4,)]))
