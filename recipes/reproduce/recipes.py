@@ -103,7 +103,7 @@ def make(recipe, is_whole, making):
     note_asked(recipe, behind, store)
     inputs = sorted({str(path) for work in behind for path in work.stamps})
     files = code | stamps.described([*inputs, *files], store)
-    stamps.save(recipe, files, is_whole, store)
+    stamps.save(recipe, files, not scope.lacks, store)
 
 
 def note_asked(recipe, works, store, is_finished=True):
