@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from claims import paper
+import paper
 from claims.claim import Number
 from measure.tables import write_table
 from estimate.commands import estimates, net_slip

@@ -3,7 +3,7 @@
 import numpy as np
 
 from fig1 import curves
-from claims.paper import MU_D, MU_S
+from paper import MU_D, MU_S
 from measure.tables import read_table
 from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 

@@ -11,7 +11,7 @@ from rupture.figures import BLACK, DOUBLE, EVENT, OF_PAPER, draw_ahead, draw_fro
 from rupture.figures import lettered, save, window_of
 from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
-from claims import paper
+import paper
 from event_numbers import at_transitions, numbers_of_events
 from events import runs, shown_event
 from fig2.commands import film, most_like_if_known

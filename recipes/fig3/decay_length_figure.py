@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from claims import paper
+import paper
 from claims.spread import spread
 from fig3.decay_length import FITTED, median
 from fig3.lengths import fronts

@@ -4,7 +4,7 @@ import numpy as np
 import rupture
 from rupture.reports import values
 
-from claims import paper
+import paper
 from claims.claim import Number
 from fig3 import decay_length_figure, front_speed_figure, no_slip_force, slow_slip_figure
 from fig3.commands import SHOWN, continued, every_step

@@ -1,6 +1,6 @@
 """Figure 3 C, inset, and its data."""
 
-from claims import paper
+import paper
 from claims.spread import spread
 from fig3.slow_slip import MM, estimate_and_measured, fits_of, of_event
 from measure.tables import numbers, write_columns

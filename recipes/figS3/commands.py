@@ -9,7 +9,7 @@ import numpy as np
 from rupture.once import each, run
 from rupture.reports import values
 
-from claims.paper import MU_D, MU_S
+from paper import MU_D, MU_S
 from claims.samples import Samples
 from measure.fronts import type_on_map
 

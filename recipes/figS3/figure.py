@@ -3,7 +3,7 @@
 import numpy as np
 from rupture.figures import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
-from claims.paper import MU_D
+from paper import MU_D
 from figS3.commands import X_TRIGGER, interfaces, prescribed, ratio
 from measure.tables import write_table
 

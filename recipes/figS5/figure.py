@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from claims.paper import MU_D, MU_S
+from paper import MU_D, MU_S
 from measure.tables import write_table
 from figS5.commands import strengths
 from figS5.quadrature import SHAPES, mean_force, sigma_of_unit_width

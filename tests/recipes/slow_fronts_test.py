@@ -4,7 +4,7 @@ from math import isnan
 
 from rupture.once import Report
 
-from claims import paper
+import paper
 from claims_test import copied
 from conftest import approx
 from fig3 import front_speed, slow_slip
