@@ -1,7 +1,6 @@
 """Figure 4: events I and II with a wider phi, the strength of blocks, and a map of front types."""
 
 from functools import cache
-
 from types import SimpleNamespace
 
 import numpy as np

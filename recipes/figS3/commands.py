@@ -9,9 +9,9 @@ import numpy as np
 from rupture.once import each, run
 from rupture.reports import values
 
-from paper import MU_D, MU_S
 from claims.samples import Samples
 from measure.fronts import type_on_map
+from paper import MU_D, MU_S
 
 TAU_BARS, SIGMA_BARS = (0.2, 0.3), (0, 0.2)
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
