@@ -23,7 +23,7 @@ file(CONFIGURE OUTPUT ${OUTPUT} CONTENT
 
 namespace rupture {
 // In a section of their own, whose size is fixed: the rest of a program is the same for every commit, and
-// recipes know programs by that (recipes/chains/digests.py).
+// results are known by that (rupture/commands/code.py).
 [[gnu::section(".rupture_version")]] static const char text_of_version[128] = "@VERSION@";
 [[gnu::section(".rupture_version")]] static const char text_of_commit[128] = "@commit@";
 const char* const version = text_of_version;

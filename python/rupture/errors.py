@@ -1,5 +1,21 @@
 """What goes wrong."""
 
+import errno
+
+MACHINE = (
+    "ENOSPC",
+    "EDQUOT",
+    "EFBIG",
+    "EROFS",
+    "EACCES",
+    "EPERM",
+    "ENOMEM",
+    "EIO",
+    "EMFILE",
+    "ENFILE",
+)
+OF_MACHINE = {getattr(errno, name) for name in MACHINE}
+
 
 class Failure(Exception):
     """One sentence: what was given, what was expected, what to do."""
@@ -9,7 +25,18 @@ class UsageError(Failure):
     """A command line that asks for something impossible; exit code 2."""
 
 
+class MachineFailure(Failure):
+    """The machine failed, not the request: full disk, no memory, no permission; exit code 3."""
+
+
 class NoSuchName(Failure, KeyError):
     """A KeyError, as in any mapping, so that `file.get(name, default)` works."""
 
     __str__ = Exception.__str__  # that of a KeyError has quotation marks
+
+
+def is_of_machine(error):
+    """Whether the same may succeed elsewhere or later."""
+    cause = error.__context__ if isinstance(error, Failure) else error
+    is_its = isinstance(error, MachineFailure) or isinstance(cause, MemoryError)
+    return is_its or isinstance(cause, OSError) and cause.errno in OF_MACHINE

@@ -13,7 +13,7 @@ from glob import escape
 from pathlib import Path
 
 import rupture
-from rupture.errors import Failure, UsageError
+from rupture.errors import Failure, MachineFailure, UsageError
 
 PACKAGE = Path(__file__).resolve().parent
 
@@ -27,15 +27,17 @@ def own_folder():
     return PACKAGE.parents[3] / "libexec/rupture"  # from lib/python3/dist-packages
 
 
-def command_of(program):
-    """The words that start a program: of the folder $RUPTURE_BIN, of this build or installation,
-    or of `rupture` on the PATH."""
+def path_of(program):
+    """A program in the folder $RUPTURE_BIN, in this build or installation, or in that of the
+    `rupture` on the PATH."""
     own = os.environ.get("RUPTURE_BIN")
-    folder = Path(own or own_folder())
-    if found := shutil.which(folder / f"{program}"):
-        return [str(found)]
-    if not own and shutil.which("rupture"):
-        return ["rupture", program]
+    folders = [Path(own or own_folder())]
+    if not own and (rupture := shutil.which("rupture")):
+        bin_folder = Path(rupture).resolve().parent
+        folders += [bin_folder.parent / "libexec/rupture", bin_folder]
+    for path in (str(folder / program) for folder in folders):
+        if os.access(path, os.X_OK):
+            return path
     where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"
     raise Failure(
         f"program {program} not found: {where}; build it, or set RUPTURE_BIN to its folder"
@@ -96,7 +98,7 @@ def output_of(program, *arguments):
     """Runs a program and returns its standard output. Raises Failure with its sentence if it
     failed, UsageError if it was asked for something impossible, KeyboardInterrupt after Ctrl-C.
     That files differ is a result."""
-    command = command_of(program) + [word for given in arguments for word in words(given)]
+    command = [path_of(program)] + [word for given in arguments for word in words(given)]
     streams: dict = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
     try:
         process = subprocess.Popen(command, errors="surrogateescape", **streams)
@@ -111,7 +113,7 @@ def output_of(program, *arguments):
     if came:
         raise KeyboardInterrupt(said)
     if code and not (code == 1 and output and not errors):
-        raise (UsageError if code == 2 else Failure)(said)
+        raise {2: UsageError, 3: MachineFailure}.get(code, Failure)(said)
     return output
 
 

@@ -2,17 +2,15 @@
 What is expected was fixed before any of these fronts was run."""
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
+from barrier.commands import FIRST, FRONTS, PLAIN, places
 from claims.own_result import compared, write_own
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
 T_R = 2e-3  # [s]
-FIRST = 28  # block of the patch, at 70 mm
-PLAIN = (0.4, 1)  # mu_s and width of no patch
-FRONTS = {0.06: "arrested", 0.1: "slow", 0.15: "fast", 0.3: "very fast"}  # plain, with slow slip
 JUDGED = (0.15, 0.3)  # where plain fronts are fast with slow slip and without
-COLOURS = {"zero": BLUE, "f_slip": VERMILION}
+COLOURS = (BLUE, VERMILION)  # with slow slip, without
 CROSSES = {  # with slow slip, without: name, symbol, colour
     (True, True): ("both cross", "o", BLACK),
     (True, False): ("only with slow slip", "o", BLUE),
@@ -28,7 +26,7 @@ EXPECTED = {
 
 def arrivals(pair, width):
     """When the front has passed a patch by two blocks, with slow slip and without [s], or None."""
-    return [pair[f_new]["front"]["t_front"][FIRST + width + 1] for f_new in COLOURS]
+    return [front.t_front[FIRST + width + 1] for front in pair]
 
 
 def crossed(place, pair):
@@ -69,10 +67,9 @@ def draw_fronts(axes, places):
     """At the first patch that only slow slip crosses, from the weakest and narrowest on."""
     tau_bar, strength, width = only_slow_slip(places)[0]
     axes.axvspan(70 - 1.25, 70 + 2.5 * width - 1.25, color=BLACK, alpha=0.15, linewidth=0)
-    for f_new, colour in COLOURS.items():
-        for place, style in (((strength, width), "-"), (PLAIN, ":")):
-            front = places[tau_bar, *place][f_new]["front"]
-            line = [(x * 1e3, t * 1e3) for x, t in zip(front["x"], front["t_front"]) if t]
+    for place, style in (((strength, width), "-"), (PLAIN, ":")):
+        for front, colour in zip(places[tau_bar, *place], COLOURS):
+            line = [(x * 1e3, t * 1e3) for x, t in zip(front.x, front.t_front) if t]
             axes.plot(*zip(*line), style, color=colour)
     axes.set(xlabel="$x$ [mm]", ylabel="$t$ [ms]")
     axes.set_title(rf"$\mu_s = {strength:g}$, $\bar\tau_0 = {tau_bar:g}$")
@@ -95,12 +92,9 @@ def draw(places, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    places: dict = {}
-    for point in chains["fronts"]:
-        place = (point["tau-bar"], point["strength"], int(point["width"]))
-        places.setdefault(place, {})[point["junctions.f_new"]] = point
-    draw(places, results / "barrier")
-    rows = [[*at, CROSSES[crossed(at, of)][0]] for at, of in patches(places, *FRONTS).items()]
+def make(results):
+    found = places()
+    draw(found, results / "barrier")
+    rows = [[*at, CROSSES[crossed(at, of)][0]] for at, of in patches(found, *FRONTS).items()]
     write_table(results / "barrier.csv", ["tau_bar_0", "mu_s", "width [blocks]", "crosses"], rows)
-    write_own(results, [own_result(places)])
+    write_own(results, [own_result(found)])

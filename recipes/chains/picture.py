@@ -12,7 +12,8 @@ from matplotlib.ticker import NullLocator
 from measure.map_panels import COLOURS
 from report.symbols import GREEK
 from rupture.units import in_si
-from report.plotting import BLACK, DOUBLE, LINES, MAP, MM, SINGLE, VERMILION, figure, save
+from rupture.figures import BLACK, DOUBLE, LINES, MM, SINGLE, VERMILION, figure, save
+from rupture.plotting import MAP
 
 SEEDS = ("seed", "numerics.seed")
 PANEL = 62 * MM  # height [inch]

@@ -18,7 +18,7 @@ from chains.selection import Chains
 from chains.store import RESULTS, read, result_of, write_own
 from rupture.errors import UsageError
 from rupture.units import unit_in
-from reproduce.written import take
+from report.written import take
 from chains.programs import check_columns, check_points
 from chains.ini import check_known, errors_of, new_ini
 from chains.values import references
@@ -62,7 +62,7 @@ class OwnSweep:
         self.check_some()
         units: dict[str, str] = {}
         for chain in self.lineage:
-            if not chain.is_ours and (points := self.chains.made.get(chain.path)):
+            if points := self.chains.made.get(chain.path):
                 with chain.errors_at("values", ""):
                     units |= check_points(points, self.chains.programs)
         lists = [one for chain in self.lineage for one in chain.lists.values()]

@@ -4,27 +4,24 @@ import textwrap
 from dataclasses import astuple, dataclass, replace
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
-from claims import paper
-from claims.claim import PRIMARY
-from claims.judge import interval_of, shares_of, table
+import paper
+from choices.commands import CHOICES, DECAYING, SETTLED, SIGMA_BARS, edges, runs
+from choices.commands import units_of_branches, units_of_runs
+from claims.judge import by_convention, interval_of, shares_of
 from claims.own_result import OwnResult, write_own
+from claims.recipes import function_of
 from claims.resampling import interval_by_runs
-from measure.tables import write_table
-from measure.event_numbers import numbers_of
+from claims.table import table
+from event_numbers import numbers_of
+from measure.conventions import PRIMARY
 from measure.fronts import is_fast_only
-from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
+from measure.tables import write_table
 
-DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges on prepared interfaces
-CHOICES = (
-    *("reference", "damping-half", "damping-twice", "stiffness-initial", "springs-linear"),
-    *("foundation-damped", "contact-lost", "edge-springs-half", "damping-along-spring", "both"),
-    *("drive-lower", "drive-higher", "K-tenth", *DECAYING),
-)
-SIGMA_BARS = (0, 0.285)  # of prepared interfaces
-SETTLED = ("reference", "decaying")  # loads of the ensemble
+OF_RUNS, OF_BRANCHES = ("2A", "2B", "2C"), ("3A", "3B", "4AB")
 ROWS = {  # claims that are judged under each choice
-    "reference": ("2A", "2B", "2C", "3A", "3B", "4AB"),
+    "reference": (*OF_RUNS, *OF_BRANCHES),
     "decaying": ("S6A",),
 }
 ALIKE = {"2A": "S6A"}  # in the same panel
@@ -115,45 +112,40 @@ def of_spanning(runs):
     }
 
 
-def bands(points):
+def bands():
     """{choice: bands of slow fronts on prepared interfaces, between bisected edges}"""
     found: dict[str, dict] = {choice: {} for choice in CHOICES}
-    for name, sigma in SLOW.items():
-        for point in points:
-            if point["sigma-bar"] == sigma:
-                edges = point["edges"][PRIMARY]
-                found[point["variant"]][name] = Found(None, edges["slow"], edges["fast"])
+    names = {sigma: name for name, sigma in SLOW.items()}
+    for (choice, sigma), of in edges().items():
+        found[choice][names[sigma]] = Found(None, of[PRIMARY]["slow"], of[PRIMARY]["fast"])
     return found
 
 
-def of_any_variant(row):
-    """A claim about the reference, or the decaying law, over the points of a choice."""
-    return row | {"each": row["each"].partition(" where variant ")[0]}
+def share_of(claim, choice):
+    """[share] of the runs or branches of a choice for which a claim holds, in the primary way."""
+    row = table()[claim] | {"ways": ()}
+    units = units_of_branches(choice) if claim in OF_BRANCHES else units_of_runs(choice)
+    measured = function_of(row["recipe"], row["measured"])
+    return shares_of(row, by_convention(row, measured, units))
 
 
-def measured(choice, chains):
+def measured(choice):
     """{quantity: what was found}, of what there is."""
-    where = "ensemble/" if choice in SETTLED else ""
-    points = {
-        f"ensemble/{name}": [p for p in chains[where + name] if p["variant"] == choice]
-        for name in ("events", "branches")
-    }
     shares = {
         claim: Found(share.part(), share.low, share.high, share.units)
         for claim in ROWS[settled_of(choice)]
-        for share in shares_of(of_any_variant(table()[claim]), points)
-        if share.convention == PRIMARY
+        for share in share_of(claim, choice)
     }
-    loads = (point["measured"]["events"] for point in points["ensemble/events"])
+    loads = (events[PRIMARY] for _, events in runs()[choice])
     return shares | of_spanning([[one for one in of if one["spanning"]] for of in loads])
 
 
-def all_measured(chains):
+def all_measured():
     """{(choice, quantity): what was found}; those as settled come first."""
-    of_edges = bands(chains["edges"])
+    of_edges = bands()
     found: dict[tuple, Found] = {}
     for choice in CHOICES:
-        for name, one in (measured(choice, chains) | of_edges[choice]).items():
+        for name, one in (measured(choice) | of_edges[choice]).items():
             found[choice, name] = one.beside(found.get((settled_of(choice), name)))
     return found
 
@@ -235,9 +227,8 @@ def draw(found, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    found = all_measured(chains)
+def make(results):
+    found = all_measured()
     draw(found, results / "choices")
     write_table(results / "choices.csv", HEADS, ((*key, *astuple(f)) for key, f in found.items()))
     write_own(results, [own_result(found)])
-    return []

@@ -14,7 +14,6 @@ DEPENDS = "depends"
 DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
 VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
-PRIMARY = "primary"  # the convention by which the shown case is measured
 HOLDS, DOES_NOT_HOLD = "holds", "does not hold"  # of a case
 STANDINGS = (REPRODUCED, HOLDS, DEPENDS, DOES_NOT_HOLD, DIFFERS, NOT_COMPARABLE)  # in counts
 SCHEMA = 2  # of claims.json; 1 was a list of claims with other names
@@ -101,7 +100,7 @@ def plain(value):
 
 def write_claims(path, claims, numbers=(), builds=()):
     """Writes all or nothing. NaN is an error: a missing value is None. `builds`: of the programs
-    that have computed what was judged (report/origin.py)."""
+    that have computed what was judged (report/jobs.py)."""
     content = {"schema": SCHEMA, "claims": [*map(asdict, claims)]}
     content |= {"numbers": [*map(asdict, numbers)], "builds": builds}
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"

@@ -3,73 +3,66 @@
 docs/claims.md has the rules.
 """
 
-import tomllib
-from functools import cache
-from pathlib import Path
+from math import isfinite
 
 import numpy as np
+from rupture.errors import Failure
 from scipy.stats import beta
 
-from claims import cases
-from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, PRIMARY, REPRODUCED
+from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, REPRODUCED
 from claims.claim import Claim, Share, plural, split_unit
 from claims.conditions import as_read, met, wanted
+from claims.recipes import function_of
 from claims.resampling import interval_by_runs
-from reproduce.recipes import paper_of
-from rupture.errors import Failure
+from claims.table import rows_of, ways_of
+from measure.conventions import PRIMARY
 
-RECIPES = Path(__file__).parents[1]
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the samples, for `reproduced`
 FEW = 0.2  # share up to which it `differs`
 FEWEST = 5  # units; fewer tell nothing
 CASES = {True: HOLDS, False: DOES_NOT_HOLD}
-
-
-@cache
-def read(paper):
-    """What a paper is, and {recipe: {claim: its row}}."""
-    path = RECIPES / paper / "claims.toml"
-    try:
-        recipes = tomllib.loads(path.read_text(encoding="utf-8"))
-        return recipes.pop("paper"), recipes
-    except (OSError, KeyError, ValueError) as error:
-        raise Failure(f"The claims in {path} cannot be read ({error}).") from error
-
-
-@cache
-def table(paper=""):
-    """{claim id: its row, with its id and recipe}, of another paper PAPER/2A and PAPER/fig2. A row
-    has all of the one that it is like, except for what it says itself."""
-    found: dict[str, dict] = {}
-    for recipe, rows in read(paper)[1].items():
-        for name, row in rows.items():
-            name, like, of = (str(Path(paper, n)) for n in (name, row.get("like", "-"), recipe))
-            found[name] = found.get(like, {}) | row | {"id": name, "recipe": of}
-    return found
-
-
-def row_of(claim_id):
-    return table(paper_of(claim_id))[claim_id]
+WORDS = {True: "yes", False: "no"}
 
 
 # --- one case ------------------------------------------------------------------------------
 
 
-def holds(claim_id, cases):
+def as_written(value):
+    """Whether something is so is yes or no; what is not known is null."""
+    if isinstance(value, (list, tuple)):
+        return [as_written(one) for one in value]
+    if isinstance(value, (bool, np.bool_)):
+        return WORDS[bool(value)]
+    value = value.item() if isinstance(value, np.generic) else value
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
+def cases_of(measured, sample, way=PRIMARY):
+    """[{quantity: value}] of a sample, of which one that holds is enough; None if there is nothing
+    to compare. A sample that failed has no case."""
+    if isinstance(sample, Failure):
+        return []
+    if (found := measured(sample, way)) is None:
+        return None
+    cases = [found] if isinstance(found, dict) else found
+    return [{name: as_written(of) for name, of in case.items()} for case in cases]
+
+
+def holds(row, cases):
     """Whether one of the cases of a unit meets all conditions."""
-    return any(not unmet(claim_id, case) for case in cases)
+    return any(not unmet(row, case) for case in cases)
 
 
-def unmet(claim_id, case):
+def unmet(row, case):
     """The quantities whose conditions a case does not meet; all must have been measured."""
-    return [name for name, c in row_of(claim_id)["conditions"].items() if not met(c, case[name])]
+    return [name for name, c in row["conditions"].items() if not met(c, case[name])]
 
 
-def unmet_text(claim_id, case):
+def unmet_text(row, case):
     """Says which conditions do not hold: slowest is c_s/49.6, not c_s/200 to c_s/50"""
     parts = []
-    for name in unmet(claim_id, case):
-        condition = row_of(claim_id)["conditions"][name]
+    for name in unmet(row, case):
+        condition = row["conditions"][name]
         quantity, unit = split_unit(name.removesuffix("/c_s"))
         asked, got = f"{wanted(name, condition)} {unit}".rstrip(), as_read(name, case[name])
         if isinstance(case[name], float) and met(condition, float(f"{case[name]:.3g}")):
@@ -105,58 +98,48 @@ def is_one_state(row):
 
 
 def share_of(row, convention, units):
-    """The share of units for which the claim holds under one convention; `units`: {unit: [case,
-    ...]}. One without a case counts against the claim."""
+    """The share of units for which the claim holds under one convention; `units`: (run, cases). One
+    without a case counts against the claim."""
     of_runs: dict = {}
-    for (_, run), found in units.items():
-        of_runs.setdefault(run, []).append(holds(row["id"], found))
+    for run, cases in units:
+        of_runs.setdefault(object() if run is None else run, []).append(holds(row, cases))
     count = sum(map(sum, of_runs.values()))
     if is_one_state(row):
         return Share(convention, int(2 * count > len(units)), 1, None, None)
     return Share(convention, count, len(units), *interval_of(of_runs.values()))
 
 
-def case_of(names):
-    """What its conditions are about."""
-    return names.case(names.row["conditions"])
-
-
-def cases_of_units(row, chains, way=PRIMARY):
-    """{unit: [case, ...]}"""
-    found = cases.units(row, chains, way)
-    return {unit: [*map(case_of, names)] for unit, names in found.items()}
-
-
-def shares_of(row, chains, fewest=1):
-    """One per convention, the primary one first; none if there are too few units. `chains`: {name:
-    points} (chains/results.py)."""
-    found = {
-        name: cases_of_units(instead, chains, way)
-        for name, (instead, way) in cases.conventions(row, chains).items()
+def by_convention(row, measured, units):
+    """{convention: [(run, cases)]}, the primary one first: ways to measure, then other units."""
+    found = {PRIMARY: (units[PRIMARY], PRIMARY)}
+    found |= {way: (units[PRIMARY], way) for way in ways_of(row)}
+    found |= {name: (of, PRIMARY) for name, of in units.items() if name != PRIMARY}
+    return {
+        name: [
+            (run, cases)
+            for run, sample in of
+            if (cases := cases_of(measured, sample, way)) is not None
+        ]
+        for name, (of, way) in found.items()
     }
+
+
+def shares_of(row, found, fewest=1):
+    """One per convention; none if there are too few units. `found`: of by_convention()."""
     if len(found[PRIMARY]) < fewest:
         return []
     return [share_of(row, name, units) for name, units in found.items() if units]
 
 
-def held_in_state(row, chains, accepted):
-    """{convention: whether the claim holds} for one state: that in the picture, or any of the
-    points of `each`."""
-    held = {PRIMARY: accepted}
-    for name, (instead, way) in cases.conventions(row, chains).items():
-        if name != PRIMARY and "each" in row:
-            held[name] = any(
-                holds(row["id"], of) for of in cases_of_units(instead, chains, way).values()
-            )
-        elif name != PRIMARY:
-            first, *_ = cases.of_shown(instead, chains, way).values()
-            held[name] = holds(row["id"], [case_of(first)])
-    return held
+def held_in_state(row, measured, first, accepted):
+    """{convention: whether the claim holds} for the one state that is shown."""
+    others = {way: holds(row, cases_of(measured, first, way) or []) for way in ways_of(row)}
+    return {PRIMARY: accepted} | others
 
 
 def needed(row):
     """Less for "there is such an event": the paper shows one run."""
-    return NEEDED_IF_ONE_EXISTS if cases.one_exists(row) else NEEDED
+    return NEEDED_IF_ONE_EXISTS if "one_of" in row else NEEDED
 
 
 def verdict_of_shares(row, shown, shares):
@@ -176,9 +159,18 @@ def verdict_of_shares(row, shown, shares):
     return DEPENDS, f"holds in {primary.text(unit)}{extreme}{beside}{few}"
 
 
-def verdict_of(row, shown, shares, held):
+def too_few(row, count):
+    what = "seeds" if is_one_state(row) else plural(row["unit"])
+    if not count:
+        return f"only the case shown was judged, no other {what}"
+    judged = f"{count} {what} were" if count > 1 else f"1 {row['unit']} was"
+    return f"only {judged} judged; a verdict needs {FEWEST}"
+
+
+def verdict_of(row, shown, shares, held, count):
     """The verdict, None without units, and its reason in one line. `shown`: whether the claim holds
-    for the case in the picture; `held`: {convention: whether it holds} for one state."""
+    for the case in the picture; `held`: {convention: whether it holds} for one state; `count`: of
+    units, which may be too few for shares."""
     if not row["conditions"]:
         return NOT_COMPARABLE, "the paper gives no number to compare with; ours are reported"
     if shown is None:
@@ -188,8 +180,7 @@ def verdict_of(row, shown, shares, held):
     if shares:
         return verdict_of_shares(row, shown, shares)
     if row.get("unit"):
-        what = "seeds" if is_one_state(row) else plural(row["unit"])
-        return None, f"only the case shown was judged, no other {what}"
+        return None, too_few(row, count)
     return verdict_of_state(held)
 
 
@@ -209,58 +200,50 @@ def verdict_of_state(held):
 # --- a claim -------------------------------------------------------------------------------
 
 
-def counted(row, chains):
-    """{what is counted: "4 of 20"}: units with a case for which a text in `counts` is true."""
-    units = cases.units(row, chains).values() if row.get("counts") else []
-
-    def is_so(names, text):
-        names.given["holds"] = not unmet(row["id"], case_of(names))
-        return names.value(text)
-
+def counted(row, units):
+    """{what is counted: "4 of 20"}: units with a case in which a quantity is known and not "no"."""
     found = {
-        name: sum(any(is_so(names, text) for names in unit) for unit in units)
-        for name, text in row.get("counts", {}).items()
+        name: sum(any(case[of] not in (None, "no") for case in cases) for _, cases in units)
+        for name, of in row.get("counts", {}).items()
     }
     return {name: f"{n} of {len(units)}" if units else "not run" for name, n in found.items()}
 
 
-def share_of_all(row, chains):
-    """For "there is such an event": of all events that `among` says, how many are such."""
-    parts = []
-    for what, text in row.get("among", {}).items():
-        among = [n for unit in cases.units(row, chains).values() for n in unit if n.value(text)]
-        held = sum(holds(row["id"], [case_of(names)]) for names in among)
-        parts += [f"; {held} of {len(among)} {what}"] if among else []
-    return "".join(parts)
+def share_of_all(row, units):
+    """For "there is such an event": of all cases, how many are such."""
+    cases = [case for _, of_unit in units for case in of_unit]
+    if not cases or "one_of" not in row:
+        return ""
+    return f"; {sum(holds(row, [case]) for case in cases)} of {len(cases)} {row['one_of']}"
 
 
-def judged(claim_id, chains):
-    """The claim with its verdict. `chains`: {name: points}, those that its recipe reads."""
-    row = row_of(claim_id)
-    shown = cases.of_shown(row, chains)
-    first = next(iter(shown.values()), None)
-    case = first.case() if first and ("if" not in row or first.value(row["if"])) else None
-    accepted = None if case is None else holds(claim_id, [case])
-    is_over_units = "unit" in row and "each" in row
-    shares = shares_of(row, chains, FEWEST) if is_over_units else []
-    held = {} if accepted is None or is_over_units else held_in_state(row, chains, accepted)
-    verdict, reason = verdict_of(row, accepted, shares, held)
+def judged(row, measured, samples):
+    """The claim with its verdict. `measured`: (sample, way) -> what cases_of() reads."""
+    shown = {name: cases_of(measured, one) for name, one in samples.shown.items()}
+    case = next((cases[0] if cases else None for cases in shown.values()), None)
+    accepted = None if case is None else holds(row, [case])
+    found = by_convention(row, measured, samples.units) if samples.units else {PRIMARY: []}
+    shares = shares_of(row, found, FEWEST)
+    held = {}
+    if accepted is not None and not samples.units:
+        held = held_in_state(row, measured, next(iter(samples.shown.values())), accepted)
+    verdict, reason = verdict_of(row, accepted, shares, held, len(found[PRIMARY]))
     if shares:
-        reason += share_of_all(row, chains)
+        reason += share_of_all(row, found[PRIMARY])
     if accepted is False:
-        reason += f" ({unmet_text(claim_id, case)})"
-    measured = {
+        reason += f" ({unmet_text(row, case)})"
+    values = {
         f"{name}: {quantity}" if name else quantity: value
-        for name, of in shown.items()
-        for quantity, value in of.case().items()
+        for name, cases in shown.items()
+        for quantity, value in (cases[0] if cases else {}).items()
     }
     return Claim(
-        id=claim_id,
+        id=row["id"],
         kind=row["kind"],
         fixed=row["fixed"],
         paper=row["says"],
         acceptance=row["accepted"],
-        measured=measured | counted(row, chains),
+        measured=values | counted(row, found[PRIMARY]),
         case=None if accepted is None or not row["conditions"] else CASES[accepted],
         shares=shares,
         verdict=verdict,
@@ -269,10 +252,22 @@ def judged(claim_id, chains):
     )
 
 
-def judge(recipe, chains):
-    """All claims of a recipe."""
-    rows = table(paper_of(recipe)).values()
+def function(row, key):
     try:
-        return [judged(row["id"], chains) for row in rows if row["recipe"] == recipe]
-    except KeyError as error:
-        raise Failure(f"a row of claims.toml needs {error}: a key, or a chain to read") from error
+        return function_of(row["recipe"], row[key])
+    except (AttributeError, ImportError, KeyError) as error:
+        raise Failure(f"claims.toml, claim {row['id']}, '{key}': {error}") from error
+
+
+def claim_of(row, known):
+    """`known`: samples, by the functions of which they come."""
+    measured, samples = function(row, "measured"), function(row, "samples")
+    if samples not in known:
+        known[samples] = samples()
+    return judged(row, measured, known[samples])
+
+
+def judge(recipe):
+    """All claims of a recipe."""
+    known: dict = {}
+    return [claim_of(row, known) for row in rows_of(recipe)]

@@ -6,6 +6,7 @@ from collections import Counter
 from claims.claim import CLAIMS, HOLDS, VERDICTS, Share, read_results
 from claims.own_result import read_own, text_of
 from claims.released import released
+from claims.table import samples_from
 
 WIDTH = 100
 HEADS = ("case shown", "verdict", "share", "least", "under")
@@ -60,8 +61,9 @@ def print_claims(name, results, root):
     for result in read_own(folder):
         print(text_of(result), end="\n\n")
     print(f"Pictures and data: {folder}/")
-    if any(claim.verdict is None for claim in claims):
+    samples = samples_from(name)
+    if samples and any(claim.verdict is None for claim in claims):
         print(
-            "A verdict needs runs with other random numbers: ./reproduce.sh ensemble"
-            f" {name} makes them once, in about an hour."
+            f"A verdict needs runs with other random numbers: ./reproduce.sh {samples} {name}"
+            " makes them once, which takes long."
         )

@@ -3,16 +3,17 @@ continuum by the rule in README.md."""
 
 from itertools import product
 
-from lattice import STEP, spacing
-from report.plotting import BLACK, BLUE, VERMILION
+from rupture.figures import BLACK, BLUE, VERMILION
+
+from convergence.lattice import PER_LENGTH, STEP, spacing
 
 LATTICES = (57, 113, 225, 449)  # blocks along x
-SETTINGS = {  # variants of lattice.ini
+SETTINGS = {  # for readers
     "no-slow-slip": "without slow slip",
     "no-slow-slip-half": "without slow slip, half edge springs",
     "reference": "with slow slip",
     "reference-half": "with slow slip, half edge springs",
-    "no-slow-slip-per-length": "without slow slip, N_s per length",
+    "no-slow-slip-per-length": f"without slow slip, {PER_LENGTH}",
 }
 OFF, OFF_HALF, ON, *_ = SETTINGS.values()
 SIGMAS = {0: BLACK, 0.1: BLUE, 0.285: VERMILION}
@@ -21,16 +22,10 @@ COLUMNS = ["interfaces", "sigma_bar", "front", *LATTICES, "continuum", "error"]
 ORDERS = (2, 0.5)  # most and least
 
 
-def read_edges(lattice, lattice_449):
-    """{(interfaces, sigma_bar, front): edges on the lattices from coarse to fine}, of points."""
-    found = {
-        (point["variant"], point["sigma-bar"]): [point[f"n_{N_x}"] for N_x in LATTICES[:-1]]
-        for point in lattice
-    }
-    for point in lattice_449:
-        found[point["variant"], point["sigma-bar"]].append(point["n_449"])
+def by_front(edges):
+    """{(interfaces, sigma_bar, front): edges on the lattices from coarse to fine}"""
     return {
-        (words, sigma, front): [edge[kind] for edge in found[name, sigma]]
+        (words, sigma, front): [edge[kind] for edge in edges[name, sigma]]
         for (name, words), sigma, (front, kind) in product(SETTINGS.items(), SIGMAS, KINDS.items())
     }
 

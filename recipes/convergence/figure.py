@@ -2,20 +2,20 @@
 steps, the reference one first: a list, each front with its values by the headings of COLUMNS."""
 
 import numpy as np
+from rupture.figures import BLACK, DOUBLE, LINES, lettered, save
+from rupture.reports import values
 
-import continuum
 from claims.own_result import OwnResult, write_own
-from measure.tables import rows_of, values, write_table
-from measure.front_map import IMPOSSIBLE, place_of, type_on_map
-from report.plotting import BLACK, DOUBLE, LINES, lettered, save
+from convergence import continuum, lattice
+from convergence.commands import LAMMPS, STEPS, events, lammps, prepared
+from measure.front_map import IMPOSSIBLE
+from measure.fronts import type_on_map
+from measure.tables import write_table
 
-EVENTS = {"I": "fast-slow-fast", "II": "second-slow", "III": "fast-only"}
-STEPS = ["2e-7", "1e-7", "5e-8"]  # [s]
 SPEED = "slow speed [m/s]"
 OF_FRONT = ("speed", "duration", "x_from", "x_to")
 SLOW = dict(zip((SPEED, "duration [s]", "slow from [m]", "slow to [m]"), OF_FRONT))
 COLUMNS = ["type", *SLOW, "arrested at [m]"]
-LAMMPS = ("LAMMPS", "LAMMPS, edge springs half and damping along spring")  # lammps.ini
 YES = {True: "yes", False: "no"}
 IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
 
@@ -27,23 +27,15 @@ def event_front(front):
     return kept | {name: slow.get(key) for name, key in SLOW.items()}
 
 
-def read_events(points):
-    """{event's number: its fronts, as `analyze front` reports them, per time step}"""
+def cases_of_places():
+    """{name: case}"""
     return {
-        number: [point["front"] for point in points if point["name"] == event]
-        for number, event in EVENTS.items()
+        f"tau_bar_0 {tau:g}, sigma_bar {sigma:g}": [
+            event_front(front) | {"type": type_on_map(front["type"])}
+            for front in (one or IMPOSSIBLE_FRONT for one in of)
+        ]
+        for (tau, sigma), of in prepared().items()
     }
-
-
-def read_places(points):
-    """{name: case}. Of each place, the largest step comes first."""
-    cases: dict[str, list] = {}
-    for row, result in rows_of(points):
-        front = result.get("front", IMPOSSIBLE_FRONT)
-        case = event_front(front) | {"type": type_on_map(front["type"])}
-        name = "tau_bar_0 {:g}, sigma_bar {:g}".format(*place_of(row))
-        cases.setdefault(name, []).append(case)
-    return cases
 
 
 def changes_type(case):
@@ -71,24 +63,22 @@ def steps_measured(cases):
     return {f"time step: {name}": value for name, value in measured.items()}
 
 
-def lammps_measured(points):
+def lammps_measured():
     """The largest difference over the largest displacement, with our choices and with others."""
     measured: dict[str, object] = {}
-    for name, point in zip(LAMMPS, points, strict=True):
-        if not (found := point["lammps"]):
-            return {name: "not installed (package lammps)"}
+    for name, found in lammps().items():
         part = found["largest difference [m]"] / found["largest displacement [m]"]
         measured |= {
             f"{name}, after {found['steps']} steps": part,
             f"{name}: within 1e-9": YES[part <= 1e-9],
         }
-    return measured
+    return measured or {next(iter(LAMMPS)): "not installed (package lammps)"}
 
 
 def own_result(cases, edges, with_lammps):
     of_events = {
         f"{name}: {quantity}": [front[quantity] for front in case]
-        for name, case in [*cases.items()][: len(EVENTS)]
+        for name, case in [*cases.items()][: len(events())]
         for quantity in ("type", *SLOW)
     }
     measured = of_events | steps_measured(cases) | continuum.measured(edges)
@@ -100,19 +90,19 @@ def own_result(cases, edges, with_lammps):
     )
 
 
-def draw_event(axes, number, fronts):
+def draw_event(axes, name, fronts):
     start = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
     for front, dt, colour, style in zip(fronts, STEPS, (BLACK, *LINES), ("-", "--", ":")):
         time = (values(front["t_front"]) - start) * 1e3
         axes.plot(np.array(front["x"]) / front["L"], time, style, color=colour, label=f"{dt} s")
     axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))
-    axes.set_title(f"event {number}")
+    axes.set_title(name)
 
 
-def draw(events, edges, stem):
+def draw(edges, stem):
     fig, panels = lettered("ABC;DEF", DOUBLE, 0.66 * DOUBLE)
-    for text, (number, fronts) in zip("ABC", events.items()):
-        draw_event(panels[text], number, fronts)
+    for text, (name, fronts) in zip("ABC", events().items()):
+        draw_event(panels[text], name, fronts)
     panels["A"].set_ylabel("front is there after [ms]")
     panels["C"].legend(loc="lower right", handlelength=1)
     continuum.draw([panels[text] for text in "DEF"], edges)
@@ -125,14 +115,12 @@ def rows(cases):
             yield [name, dt, *map(front.get, COLUMNS), YES[changes_type(case)]]
 
 
-def make(chains, results):
-    events = read_events([*chains["fig2/event"], *chains["events"]])
-    edges = continuum.read_edges(chains["lattice"], chains["lattice_449"])
-    cases = {f"event {number}": [*map(event_front, fronts)] for number, fronts in events.items()}
-    cases |= read_places(chains["time_step"])
-    draw(events, edges, results / "convergence")
+def make(results):
+    edges = continuum.by_front(lattice.edges())
+    cases = {name: [*map(event_front, fronts)] for name, fronts in events().items()}
+    cases |= cases_of_places()
+    draw(edges, results / "convergence")
     names = ["case", "time step [s]", *COLUMNS, "type changes between the two finest"]
     write_table(results / "convergence.csv", names, rows(cases))
     write_table(results / "edges.csv", continuum.COLUMNS, continuum.rows(edges))
-    write_own(results, [own_result(cases, edges, lammps_measured(chains["lammps"]))])
-    return []
+    write_own(results, [own_result(cases, edges, lammps_measured())])

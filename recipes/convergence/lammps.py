@@ -1,14 +1,6 @@
-"""Compares the bulk with LAMMPS, as the script of a chain:
-
-    lammps = script lammps.py start.h5 end.h5
-
-Both files are checkpoints of free blocks, without load, foundation, drive or junctions. LAMMPS
-takes the first one as many steps further as lie between them. Reports {"steps", "largest
-displacement [m]", "largest difference [m]"}; {} if LAMMPS is not installed.
-"""
+"""Compares the bulk with LAMMPS."""
 
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import rupture
+from rupture.errors import Failure
 
-INPUTS = Path(__file__).resolve().parents[2] / "benchmarks/lammps"
 ALONE = {"OMP_NUM_THREADS": "1", "OMPI_MCA_ess_singleton_isolated": "1"}  # one process, no daemon
 HEADER = """ITEM: TIMESTEP
 {time}
@@ -68,32 +60,29 @@ def write_start(path, blocks):
             np.savetxt(file, rows, fmt=["%d", *["%.17g"] * 4])
 
 
-def run_lammps(folder, lmp, steps, choices):
-    variables = {"bulk": INPUTS / "bulk.in", "variant": "damping", "start": "start.dump"}
+def run_lammps(folder, steps, choices, inputs):
+    compare, bulk = map(os.path.abspath, inputs)
+    variables = {"bulk": bulk, "variant": "damping", "start": "start.dump"}
     pairs = (variables | {"steps": steps} | choices).items()
     words = [word for name, value in pairs for word in ("-var", name, str(value))]
-    command = [lmp, "-log", "none", "-nocite", "-in", INPUTS / "compare.in", *words]
+    command = ["lmp", "-log", "none", "-nocite", "-in", compare, *words]
     subprocess.run(command, cwd=folder, env=os.environ | ALONE, stdout=sys.stderr, check=True)
 
 
-def compared(lmp, start, end):
-    """Both checkpoints are of the same slider."""
+def compared(start, end, *inputs):
+    """Both files are checkpoints of free blocks of the same slider, without load, foundation, drive
+    or junctions. LAMMPS takes the first one as many steps further as lie between them."""
     before, after = read_blocks(start), read_blocks(end)
     steps = after.step - before.step
     with tempfile.TemporaryDirectory() as folder:
         write_start(Path(folder, "start.dump"), before)
-        run_lammps(folder, lmp, steps, after.choices)
+        run_lammps(folder, steps, after.choices, inputs)
         dumps = (Path(folder, f"{name}.dump") for name in ("places", "end"))
         places, moved = (np.loadtxt(path, skiprows=9)[:, 1:] for path in dumps)
     if np.abs(places - before.places).max() > 1e-12:
-        sys.exit("LAMMPS numbers the blocks in another order: they cannot be compared")
+        raise Failure("LAMMPS numbers the blocks in another order: they cannot be compared")
     return {
         "steps": steps,
         "largest displacement [m]": np.abs(after.u).max(),
         "largest difference [m]": np.abs(moved - places - after.u).max(),
     }
-
-
-def main(start, end):
-    lmp = shutil.which("lmp")
-    return compared(lmp, start, end) if lmp else {}

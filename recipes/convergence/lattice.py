@@ -1,18 +1,25 @@
-"""Edges between types of fronts on prepared interfaces (measure/edges.py) on another lattice, as
-the script of a chain:
-
-    n_113 = script lattice.py 113 100 SLOW FAST {values}
-
-with N_x blocks along x and N_s junctions per block (or per-length, as many per length as on the
-paper's lattice), seeks the edges from SLOW and FAST on, under these options of `prepare`. README.md
+"""Edges between types of fronts on prepared interfaces (maps.py) on finer lattices. README.md
 explains the scaling."""
 
-from measure.conventions import PRIMARY
+from functools import cache
+
+from rupture.once import each
+
+from maps import Interfaces
 from measure.fronts import SLOW_BELOW, STENCIL
-from measure.edges import Interfaces
 
 STEP = 1e-3  # of tau_bar_0
 SCALED = "same length and speed"
+SIGMA_BARS = (0, 0.1, 0.285)
+PER_LENGTH = "N_s per length"  # as many junctions as on the paper's lattice; else 100 per block
+HALF, OFF = "--set slider.edge_springs=half", "--set junctions.f_new=f_slip"
+SETTINGS = {  # name: options, junctions
+    "reference": ("", ""),
+    "reference-half": (HALF, ""),
+    "no-slow-slip": (OFF, ""),
+    "no-slow-slip-half": (f"{OFF} {HALF}", ""),
+    "no-slow-slip-per-length": (OFF, PER_LENGTH),
+}
 
 
 def spacing(N_x):
@@ -41,16 +48,36 @@ def ways(N_x, M):
     """How fronts are measured: with a stencil of the same length, and slow below the same speed, on
     all lattices."""
     stencil = round((STENCIL - 1) / spacing(N_x)) + 1
-    return {
-        PRIMARY: {},
-        SCALED: {"--stencil": stencil, "--slow-below": SLOW_BELOW * (M / 0.0756) ** 0.5},
-    }
+    return {SCALED: f"--stencil {stencil} --slow-below {SLOW_BELOW * (M / 0.0756) ** 0.5}"}
 
 
-def main(N_x, N_s, slow, fast, *options):
-    per_block = 104 * 56 // (int(N_x) - 1) if N_s == "per-length" else float(N_s)
-    values = scaled(int(N_x), per_block)
-    words = [word for name in values for word in ("--set", f"{name}={values[name]:.12g}")]
-    fronts = Interfaces([*options, *words], STEP, ways(int(N_x), values["slider.M"]))
-    near = {"slow": float(slow), "fast": float(fast)}
-    return {kind: fronts.edge(kind, guess, SCALED) for kind, guess in near.items()}
+def edges_on(N_x, setting, sigma_bar, guesses):
+    """{kind: edge}, each sought from a guess on."""
+    options, junctions = SETTINGS[setting]
+    values = scaled(N_x, 104 * 56 // (N_x - 1) if junctions == PER_LENGTH else 100)
+    words = " ".join(f"--set {name}={value:.12g}" for name, value in values.items())
+    prepared = f"--sigma-bar {sigma_bar} {options} {words}"
+    fronts = Interfaces(prepared, STEP, ways(N_x, values["slider.M"]))
+    return {kind: fronts.edge(kind, SCALED, guess) for kind, guess in guesses.items()}
+
+
+def moved_on(edges):
+    """Guesses on the next lattice: the last edge, moved on by half its last change."""
+    before, last = edges[-2:]
+    return {kind: last[kind] + (last[kind] - before[kind]) / 2 for kind in last}
+
+
+def edges_of(setting, sigma_bar):
+    """On lattices from coarse to fine, and on 449 x 241 blocks where nothing creeps: that takes an
+    hour."""
+    found = [edges_on(57, setting, sigma_bar, {"slow": 0.1, "fast": 0.1})]
+    found.append(edges_on(113, setting, sigma_bar, found[-1]))
+    for N_x in (225, 449) if setting == "no-slow-slip" else (225,):
+        found.append(edges_on(N_x, setting, sigma_bar, moved_on(found)))
+    return found
+
+
+@cache
+def edges():
+    """{(setting, sigma_bar): edges on the lattices from coarse to fine}"""
+    return dict(each(edges_of, [(name, s) for name in SETTINGS for s in SIGMA_BARS], "lattices"))

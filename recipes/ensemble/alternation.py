@@ -8,16 +8,16 @@ n-th events of all loads are shuffled among the loads. This was found on the loa
 """
 
 import numpy as np
+from rupture import figures
+from rupture.figures import BLACK, DOUBLE, figure, save
 
 from claims.own_result import OwnResult
-from report import plotting
-from report.plotting import BLACK, DOUBLE, FAST, figure, save
+from ensemble.commands import FAST, OTHER, SLOW
 
-SLOW = "fast-slow-fast in words"
 KINDS = {  # of events that span: colour, marker
-    SLOW: (plotting.SLOW, "s"),
-    "fast everywhere": (FAST, "^"),
-    "other": (BLACK, "o"),
+    SLOW: (figures.SLOW, "s"),
+    FAST: (figures.FAST, "^"),
+    OTHER: (BLACK, "o"),
 }
 FROM = 0.6  # [s]
 SHUFFLES, SEED = 10_000, 1

@@ -3,19 +3,18 @@
 from itertools import chain
 from operator import itemgetter
 
-import alternation
 import numpy as np
-import precursors
-
-from claims.own_result import OwnResult, write_own
-from measure.tables import values, write_events
-from measure.fronts import is_fast_only
-from measure.loads import events_of
-from report.panels import along_interface
-from report.plotting import DOUBLE, lettered, save
+from rupture.figures import DOUBLE, lettered, save
+from rupture.plotting import along_interface
+from rupture.reports import values
 from rupture.tools.command_line import plural
 
-NAMES = {  # setting: title
+from claims.own_result import OwnResult, write_own
+from ensemble import alternation, precursors
+from ensemble.commands import compute, runs, spanning
+from measure.tables import write_events
+
+NAMES = {  # of runs: title
     "load": "reference",
     "simplified": "simplified law",
     "decaying": "decaying law",
@@ -23,17 +22,6 @@ NAMES = {  # setting: title
 }
 SHOWN = (-1, 5)  # after the first block that is shown [ms]
 FROM = 0.2  # of L; before, fronts begin in many ways
-
-
-def kind_of(event):
-    if event["fast_slow_fast"]:
-        return alternation.SLOW
-    return "fast everywhere" if is_fast_only(event) else "other"
-
-
-def spanning_events(events):
-    """(kind, event) of a load."""
-    return [(kind_of(event), event) for event in events if event["spanning"]]
 
 
 def draw_fronts(axes, events, colour):
@@ -76,14 +64,12 @@ def kinds_counted(loads):
     return OwnResult("kinds", "of which kinds are the events that span?", measured)
 
 
-def make(chains, results):
-    loads: dict[str, dict] = {setting: {} for setting in NAMES}
-    all_events = events_of([*chains["events"], *chains["shown_events"]])
-    for load, events in all_events.items():
-        loads[load.rsplit("-", 1)[0]][load] = spanning_events(events)
+def make(results):
+    compute()
+    loads = {name: spanning(name) for name in NAMES}
+    reference = [*runs("load").values()]
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
-    reference = [all_events[load] for load in loads["load"]]
     precursors.draw(reference, results / "precursors")
     events = (
         event | {"load": load, "kind": kind}
@@ -94,4 +80,3 @@ def make(chains, results):
     write_events(results / "events.csv", events, columns)
     own = [alternation.own_result(loads["load"]), precursors.own_result(reference)]
     write_own(results, [kinds_counted(loads), *own])
-    return []

@@ -1,15 +1,12 @@
 """The SI's arithmetic of slow slip, and its data."""
 
 import numpy as np
+from rupture.figures import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
 
-from claims import paper
+import paper
 from claims.claim import Number
+from estimate.commands import estimates, net_slip
 from measure.tables import write_table
-from report.plotting import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
-
-
-def net_slip(estimate):
-    return estimate["net_slip_over_f_slip_per_k_ij"]
 
 
 def numbers_of(reference):
@@ -30,7 +27,7 @@ def draw_band(axes, relaxations, longest):
     time = np.linspace(0, longest, 400)
     slips = []
     for one in relaxations:
-        course = one["relaxation"]
+        course = one
         passed = np.searchsorted(course["time_over_t_R"], time, side="right")
         slips.append(np.array([0.0, *course["slip_over_f_slip_per_k_ij"]])[passed])
     low, high = np.quantile(slips, (0.05, 0.95), axis=0)
@@ -81,11 +78,9 @@ def course_rows(**estimates):
             yield junctions, *row
 
 
-def make(chains, results):
-    (point,) = chains["estimate"]
-    reference, unbreakable = point["reference"], point["unbreakable"]
-    relaxations = [one["relaxation"] for one in chains["relaxations"]]
-    draw(reference, unbreakable, relaxations, results / "estimate")
+def make(results):
+    reference, unbreakable = estimates().reference, estimates().unbreakable
+    draw(reference, unbreakable, estimates().relaxations, results / "estimate")
     names = ["junctions", "time [<t_R>]", "slip [f_slip/k_ij]"]
     rows = course_rows(reference=reference, unbreakable=unbreakable)
     write_table(results / "relaxation.csv", names, rows)

@@ -1,16 +1,13 @@
 """Tables of Figure 1."""
 
-import junction
 import numpy as np
 import rupture
 
+from events import shown_events
+from fig1 import junction
+from fig1.commands import MIDDLE, event, loading, pulled, steady
+from measure.conventions import PRIMARY
 from measure.tables import write_table
-
-MIDDLE = 0.5  # of L; the block of panel E
-
-
-def middle(front):
-    return int(np.argmin(np.abs(np.array(front["x"]) - MIDDLE * front["L"])))
 
 
 def write_tables(results, loading, events, record, front):
@@ -20,10 +17,9 @@ def write_tables(results, loading, events, record, front):
     names += ["F_T_before [N]", "F_T_after [N]"]
     rows = ([event[name.split()[0]] for name in names] for event in events)
     write_table(results / "events.csv", names, rows)
-    i = middle(front)
-    time, p, tau = record.time, record["p"][:, i], record["tau"][:, i]
+    time, p, tau = record.time, record["p"][:, MIDDLE], record["tau"][:, MIDDLE]
     names = ["time [s]", "time since the rupture [s]", "p [N]", "tau [N]", "tau/p"]
-    columns = [time, time - front["t_rupture"][i], p, tau, tau / p]
+    columns = [time, time - front["t_rupture"][MIDDLE], p, tau, tau / p]
     write_table(results / "block.csv", names, zip(*columns))
 
 
@@ -33,11 +29,9 @@ def write_steady(path, steady, limits):
     write_table(path, names, sorted(zip(*columns)))
 
 
-def make(chains, results):
-    parts = ("loading", "ensemble/shown_events", "event", "junction", "steady")
-    [loading], [shown], [event], [pulled], [steady] = (chains[name] for name in parts)
-    record = rupture.open(event.file("record.h5"))
-    write_tables(results, loading["loading"], shown["measured"]["events"], record, event["front"])
+def make(results):
+    events, record = shown_events("reference")[PRIMARY], rupture.open(event().record)
+    write_tables(results, loading(), events, record, event().fronts[PRIMARY])
     names = ["time [s]", "displacement [m]", "f_T/f_N", "pinned"]
-    write_table(results / "junction.csv", names, junction.rows(junction.pulled_of(pulled)))
-    write_steady(results / "steady-state.csv", steady["range"], steady["limits"])
+    write_table(results / "junction.csv", names, junction.rows(junction.Pulled(*pulled())))
+    write_steady(results / "steady-state.csv", steady().range, steady().limits)

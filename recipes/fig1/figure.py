@@ -1,11 +1,11 @@
 """Figure 1 D-G, drawn from its tables."""
 
-import curves
 import numpy as np
+from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
-from claims.paper import MU_D, MU_S
+from fig1 import curves
 from measure.tables import read_table
-from report.plotting import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
+from paper import MU_D, MU_S
 
 SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
 
@@ -69,6 +69,6 @@ def draw(results):
     save(fig, results / "fig1")
 
 
-def make(chains, results):
-    curves.make(chains, results)
+def make(results):
+    curves.make(results)
     draw(results)

@@ -1,34 +1,28 @@
-"""The forces of Figure 1 F beside those that the law demands, as the script of a chain:
-
-    law = script junction.py {all junction}
+"""The forces of Figure 1 F beside those that the law demands.
 
 Blocks of one junction each are pulled, with a sample in each time step; checkpoints taken while all
 of them slip say until when. From the displacements alone the law says what each junction's force
 should be; tau of the record is what it was.
 """
 
-import sys
-
 import numpy as np
 import rupture
-
-from chains.results import read_points
+from rupture.errors import Failure
 
 EVERY = 20  # of the steps that go into the table; where something changes, all
 SHOWN = 1  # block
-SLIPPING = ("0.002000000", "0.004600000")  # checkpoints in which all junctions slip [s]
 
 
 class Pulled:
     """Blocks of one junction: [step][block]."""
 
-    def __init__(self, prepared, record, slipping):
+    def __init__(self, prepared, record, *slipping):
         names = ("step", "time", "u_x", "tau", "p", "pinned")  # [1, s, m, N, N, 1]
         series = rupture.open(record)
         step, self.time, self.u, self.f, self.f_N, pinned = (series[name] for name in names)
         kappa, self.mu_s, self.mu_d = (series[f"junctions.{n}"] for n in ("kappa", "mu_s", "mu_d"))
         if not np.all(np.diff(step) == 1):
-            sys.exit(f"{record} does not have a sample of each step")
+            raise Failure("the record does not have a sample of each step")
         self.attachment = rupture.open(prepared)["junctions/attachment"][:, 0]  # [m]
         self.k = np.sqrt(kappa * self.f_N)
         self.f_thres, self.f_slip = self.mu_s * self.f_N, self.mu_d * self.f_N
@@ -64,7 +58,7 @@ class Pulled:
 def repin_times(checkpoint):
     state = rupture.open(checkpoint)
     if not state["junctions/slipping"].all():
-        sys.exit(f"{checkpoint}: not all junctions slip")
+        raise Failure("not all junctions slip in a checkpoint in which they should")
     return state["junctions/repin_time"][:, 0]
 
 
@@ -98,11 +92,5 @@ def rows(pulled):
         yield pulled.time[n], moved, ratio, int(pulled.pinned[n, SHOWN])
 
 
-def pulled_of(point):
-    slipping = [point.file(f"pulled-t{time}.h5") for time in SLIPPING]
-    return Pulled(point.file("junctions.h5"), point.file("record.h5"), slipping)
-
-
-def main(points):
-    [point] = read_points(points)
-    return law_of(pulled_of(point))
+def law_of_pulled(*files):
+    return law_of(Pulled(*files))

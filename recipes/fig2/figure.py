@@ -2,18 +2,22 @@
 event."""
 
 import shutil
+from itertools import chain
 
 import rupture
-from most_like import COLUMNS
-
-from claims import paper
-from measure.tables import write_columns, write_fronts
-from measure.event_numbers import at_transitions, numbers_of_events
-from measure.loads import events_of
-from report.panels import draw_ahead, draw_front_speeds, draw_pinned
-from report.panels import draw_pinned_scale, name_line, window_of
-from report.plotting import BLACK, DOUBLE, EVENT, OF_PAPER, lettered, save
+from rupture.errors import Failure
+from rupture.figures import BLACK, DOUBLE, EVENT, OF_PAPER, draw_ahead, draw_front_speeds
+from rupture.figures import lettered, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 from rupture.replacing import replacing
+
+import paper
+from event_numbers import at_transitions, numbers_of_events
+from events import runs, shown_event
+from fig2.commands import film, most_like_if_known
+from fig2.most_like import COLUMNS
+from measure.conventions import PRIMARY
+from measure.tables import write_columns, write_fronts
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker
@@ -67,26 +71,24 @@ def draw(events, fronts, stem):
     """The speeds are below the first maps, beside that of the event most like the paper's."""
     fig, panels = lettered("ABC;DDE" if MOST_LIKE in fronts else "ABC;DDD", DOUBLE, 0.68 * DOUBLE)
     for text, name in zip("ABCE", fronts):
-        image = draw_map(panels[text], fronts[name], rupture.open(events[name].file("record.h5")))
+        image = draw_map(panels[text], fronts[name], rupture.open(events[name].record))
         panels[text].set_title(EVENTS[name][0])
     draw_pinned_scale(fig, image, list(panels.values()), shrink=0.6)
     draw_speeds(panels["D"], fronts)
     save(fig, stem)
 
 
-def make(chains, results):
-    events = {point["name"]: point for point in chains["event"]}
-    events |= {MOST_LIKE: point for point in chains["most_like"]}
-    events = {name: events[name] for name in EVENTS if name in events}
-    fronts = {name: point["front"] for name, point in events.items()}
+def make(results):
+    events = {name: shown_event(name) for name in EVENTS if name != MOST_LIKE}
+    if found := most_like_if_known():
+        events[MOST_LIKE] = found
+    fronts = {name: of.front for name, of in events.items()}
     draw(events, fronts, results / "fig2")
     write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
-    compared = [point["likeness"]["candidates"] for point in chains["choose_most_like"]]
-    write_columns(results / "most-like.csv", COLUMNS, compared[0] if compared else [])
-    [film] = chains["film"]
+    write_columns(results / "most-like.csv", COLUMNS, found.candidates if found else [])
     with replacing(results / "movie.gif") as temporary:
-        shutil.copyfile(film.file("movie.gif"), temporary)
+        shutil.copyfile(film(), temporary)
     slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    of_all = [event for of in events_of(chains["ensemble/events"]).values() for event in of]
-    return numbers_of_events(slow, fast, fronts.get(MOST_LIKE), of_all)
+    of_runs = (of[PRIMARY] for _, of in runs() if not isinstance(of, Failure))
+    return numbers_of_events(slow, fast, fronts.get(MOST_LIKE), [*chain(*of_runs)])

@@ -1,18 +1,11 @@
-"""Chooses the event most like the paper's of independent loads: most_like.py LOAD POINTS
-
-README.md says how. POINTS is a file with the events of all loads. Reports all candidates in order,
-and the first of them, the one chosen, in a list: empty if it is not of this LOAD.
-"""
-
-import sys
+"""Chooses the event most like the paper's of independent runs; README.md says how."""
 
 import numpy as np
+from rupture.errors import Failure
 
-from chains.results import read_points
-from claims import paper
-from measure.event_numbers import numbers_of
+import paper
+from event_numbers import numbers_of
 from measure.fronts import has_slow_stretch
-from measure.loads import events_of
 
 PAPER = {  # for readers: of numbers_of(), the paper's value
     "fast before over c_s/3": ("fast before/c_s", paper.FAST),
@@ -39,25 +32,16 @@ def unlikeness(ratios):
     return float(np.sum(np.log(list(ratios.values())) ** 2))
 
 
-def candidates(loads):
-    """[(event, row), ...], the most like one first. `loads`: {name: events}."""
+def candidates(runs):
+    """[(seed, event, row of the table)], the most like one first. `runs`: {seed: events}."""
     found = [
-        (event, {"load": load, "t_start [s]": event["t_start"], **ratios, SUM: unlikeness(ratios)})
-        for load, events in loads.items()
+        (seed, event, {"load": f"load-{seed}", "t_start [s]": event["t_start"], **ratios})
+        for seed, events in runs.items()
         for event in events
         if (ratios := ratios_of(event))
     ]
-    return sorted(found, key=lambda pair: pair[1][SUM])
-
-
-def choice(load, loads):
-    found = candidates(loads)
+    for *_, row in found:
+        row[SUM] = unlikeness({name: row[name] for name in PAPER})
     if not found:
-        sys.exit("no event of these loads has all that is compared: load for longer")
-    event, first = found[0]
-    chosen = [event] if first["load"] == load else []
-    return {"candidates": [row for _, row in found], "chosen": chosen}
-
-
-def main(load, points):
-    return choice(load, events_of(read_points(points)))
+        raise Failure("no event of these loads has all that is compared: load for longer")
+    return sorted(found, key=lambda one: one[-1][SUM])

@@ -4,18 +4,6 @@ tau(x) = A f((x - x_0)/l_0) + tau_0.
 x_0 is a block at its threshold: the one that ruptures next, when it carries its largest force. Its
 profile is the excess tau - tau_0 on it and on the REACH blocks ahead. What f is the paper leaves
 open, and so which blocks count and how; METHODS are the ways to measure, each from one profile.
-
-    l_0 = script decay_length.py RECORD
-
-reports what of_front() says of one front over a prepared interface, and
-
-    lengths = script decay_length.py median {all l_0 where numerics.seed == seed}
-
-the median of several, all of the same weight; by each method ("under").
-
-    by_stiffness = script decay_length.py stiffness {all l_0_stiffness where numerics.seed == seed}
-
-tells whether it increases with k/k_i.
 """
 
 import math
@@ -23,11 +11,9 @@ import math
 import numpy as np
 import rupture
 
-from chains.results import read_points
-from measure.conventions import PRIMARY
+from measure.fronts import PRIMARY
 
 REACH = 8  # blocks ahead of the tip; the leading edge is farther away
-KAPPA = 39.2e9  # of the reference [N/m^2]
 FITTED = (0, 3)  # blocks ahead of the tip, in the primary method
 
 
@@ -121,59 +107,7 @@ def of_front(front, time, tau):
     }
 
 
-def lengths(fronts):
-    """{method: l_0 [m]}: the median of the fronts, all of the same weight."""
-    return {name: median(front["l_0"][name] for front in fronts) for name in METHODS}
-
-
-def of_fronts(found):
-    """`found`: of_front() each [m]."""
-    l_0 = lengths(found)
-    primary = l_0.pop(PRIMARY)
-    each = [front["l_0"][PRIMARY] for front in found if front["l_0"][PRIMARY] is not None]
-    others = [length for length in l_0.values() if length is not None]
-    return {
-        "l_0": primary,
-        "fronts": sum(front["profiles"] > 0 for front in found),
-        "profiles": sum(front["profiles"] for front in found),
-        "of_fronts": [min(each), max(each)] if each else None,
-        "of_methods": [min(others), max(others)] if others else None,
-        "under": {name: {"l_0": length} for name, length in l_0.items()},
-    }
-
-
-def step_and_exponent(ratios, lengths):
-    """The least change of l_0 [m] from each to the next, and the exponent of a power law."""
-    known = [(ratio, length) for ratio, length in zip(ratios, lengths) if length is not None]
-    if len(known) < 2:
-        return {"fronts": len(known), "least_step": None, "exponent": None}
-    ratios, lengths = np.array(known).T
-    exponent = np.polyfit(np.log(ratios), np.log(lengths), 1)[0]
-    return {
-        "fronts": len(known),
-        "least_step": float(np.diff(lengths).min()),
-        "exponent": float(exponent),
-    }
-
-
-def by_stiffness(points):
-    """`points`: of fronts, whose kappa varies. k_i = N_s sqrt(kappa f_N): k/k_i over the
-    reference's is sqrt(KAPPA/kappa)."""
-    ordered = sorted(points, key=lambda point: -point["junctions.kappa"])
-    ratios = [math.sqrt(KAPPA / point["junctions.kappa"]) for point in ordered]
-    of_methods = {name: [point["l_0"]["l_0"][name] for point in ordered] for name in METHODS}
-    steps = {name: step_and_exponent(ratios, of) for name, of in of_methods.items()}
-    return (
-        {"ratios": ratios, "l_0": of_methods[PRIMARY]}
-        | steps.pop(PRIMARY)
-        | {"under": {name: of | {"l_0": of_methods[name]} for name, of in steps.items()}}
-    )
-
-
-def main(first, points=None):
-    if first == "stiffness":
-        return by_stiffness(read_points(points))
-    if points:
-        return of_fronts([point["l_0"] for point in read_points(points)])
-    front, record = rupture.analyze("front", first), rupture.open(first)
-    return of_front(front, record.time, record["tau"])
+def decay_of_front(record):
+    """What of_front() says of one front over a prepared interface."""
+    front, series = rupture.analyze("front", record), rupture.open(record)
+    return of_front(front, series.time, series["tau"])

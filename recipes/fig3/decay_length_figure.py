@@ -1,13 +1,14 @@
 """Decay length of the shear force ahead of slow fronts: picture and data."""
 
 import numpy as np
-from decay_length import FITTED, lengths
+from rupture.figures import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
 
-from claims import paper
+import paper
 from claims.spread import spread
-from measure.tables import write_table
+from fig3.decay_length import FITTED, median
+from fig3.lengths import fronts
 from measure.conventions import PRIMARY
-from report.plotting import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
+from measure.tables import write_table
 
 SHOWN = 1  # seed
 
@@ -41,17 +42,16 @@ def draw(fronts, l_0, stem):
     save(fig, stem)
 
 
-def make(chains, results):
+def make(results):
     """decay_length.py says what is known of a front. Those without a slow stretch have no
     profiles."""
-    shown = [point for point in chains["l_0"] if point["numerics.seed"] == SHOWN]
-    measured = {point["tau-bar"]: point["l_0"] for point in shown if point["l_0"]["profiles"]}
-    fronts, l_0 = [*measured.values()], lengths([point["l_0"] for point in shown])
-    draw(fronts, l_0[PRIMARY], results / "fig3-l0")
+    measured = {tau_bar: of for tau_bar, of in fronts(SHOWN).items() if of.profiles}
+    l_0 = median(of.l_0[PRIMARY] for of in fronts(SHOWN).values())
+    draw([*measured.values()], l_0, results / "fig3-l0")
     names = ["tau_bar_0", "x - x_0 [m]", "excess over that at x_0"]
     profiles = {tau_bar: zip(f["x - x_0"], f["excess"]) for tau_bar, f in measured.items()}
     rows = ([tau_bar, *row] for tau_bar, profile in profiles.items() for row in profile)
     write_table(results / "decay-length.csv", names, rows)
-    each = [f["l_0"][PRIMARY] * 1e3 for f in fronts if f["l_0"][PRIMARY] is not None]
-    of, shown_l_0 = "{} prepared fronts", l_0[PRIMARY] * 1e3
-    return [spread("decay length l_0 [mm]", paper.L_0 * 1e3, each, of, shown=shown_l_0)]
+    each = [f.l_0[PRIMARY] * 1e3 for f in measured.values() if f.l_0[PRIMARY] is not None]
+    of, shown = "{} prepared fronts", l_0 * 1e3
+    return [spread("decay length l_0 [mm]", paper.L_0 * 1e3, each, of, shown=shown)]

@@ -1,22 +1,20 @@
 """Figure 3: A-C and their data here, the rest in the modules beside this one."""
 
-import decay_length_figure
-import front_speed_figure
-import no_slip_force
 import numpy as np
 import rupture
-import slow_slip_figure
+from rupture.figures import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
+from rupture.plotting import draw_pinned, draw_pinned_scale
+from rupture.reports import values
 
-from claims import paper
+import paper
 from claims.claim import Number
-from measure.tables import values, write_table
-from report.panels import draw_pinned, draw_pinned_scale
-from report.plotting import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
+from fig3 import decay_length_figure, front_speed_figure, no_slip_force, slow_slip_figure
+from fig3.commands import SHOWN, continued, every_step
+from measure.conventions import PRIMARY
+from measure.tables import write_table
 
-EVENTS = {"second-slow": "event II", "fast-slow-fast": "event I"}  # the paper shows the first
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."
 SINCE = "time since the change [ms]"
-RUNS = {"t_R-half": "half", "stopped": "stopped", "t_R-double": "double"}  # of a point
 SLIPS = {  # run: label, colour, line style
     "t_R-half": (r"$\langle t_R\rangle/2$", CHANGED, "--"),
     "stopped": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "-"),
@@ -25,8 +23,8 @@ SLIPS = {  # run: label, colour, line style
 
 
 def draw_maps(fig, axes, event, t_zero, window):
-    for axis, run, title in zip(axes, ("stopped", "no-slow-slip"), ("$V = 0$", "no slow slip")):
-        record = rupture.open(event.file(f"{run}-record.h5"))
+    for axis, run, title in zip(axes, ("stopped", "no_slow_slip"), ("$V = 0$", "no slow slip")):
+        record = rupture.open(event.records[run])
         image = draw_pinned(axis, record, t_zero, window)
         axis.set(title=title, ylabel=SINCE)
     draw_pinned_scale(fig, image, axes)
@@ -52,10 +50,9 @@ def draw_slip(axes, slips, t_zero):
     axes.set(xlabel=SINCE, ylabel=r"slip at $x = 0.34\,L$ [µm]")
 
 
-def slips_of(event, report="slip"):
-    """The slip of a block in each run; `own_slip` takes the block 0.06 L before the event's own
-    transition."""
-    return {run: event[f"{report}_{name}"] for run, name in RUNS.items()}
+def slips_of(event):
+    """{run: slip of the block at 0.34 L}"""
+    return dict(zip(("stopped", "t_R-half", "t_R-double"), event.slips))
 
 
 def peak_speed(slip):
@@ -67,8 +64,8 @@ def draw(events, stem):
     """Event I above, event II, which the paper shows, below; the times of all maps are the same."""
     wide = {"width_ratios": (1, 1, 1.25)}
     fig, axes = figure(DOUBLE, 0.7 * DOUBLE, nrows=len(events), ncols=3, **wide)
-    t_zero = {name: event["slip_stopped"]["time"][0] for name, event in events.items()}
-    arrivals = {n: np.nanmax(values(e["front_stopped"]["t_rupture"])) for n, e in events.items()}
+    t_zero = {name: event.slips[0].time[0] for name, event in events.items()}
+    arrivals = {n: np.nanmax(values(e.stopped[PRIMARY].t_rupture)) for n, e in events.items()}
     window = (0, max(arrivals[name] - t_zero[name] for name in events) * 1e3 + 0.5)
     for row, (name, event) in zip(axes, reversed(events.items())):
         draw_maps(fig, row[:2], event, t_zero[name], window)
@@ -84,14 +81,15 @@ def draw(events, stem):
 
 def rows(events):
     for name, event in events.items():
-        for run, slip in slips_of(event).items():
-            for row in zip(slip["time"], slip["slip"]):
+        slips = slips_of(event)
+        for run in SLIPS:
+            for row in zip(slips[run].time, slips[run].slip):
                 yield [name, run, *row]
 
 
 def numbers_of(events, peaks):
     """`peaks`: of the slip speed [m/s]."""
-    of_slip = {name: event["slip_stopped"] for name, event in events.items()}
+    of_slip = {name: event.slips[0] for name, event in events.items()}
     return [
         *(
             Number(
@@ -113,18 +111,12 @@ def numbers_of(events, peaks):
     ]
 
 
-def by_title(points):
-    found = {point["name"]: point for point in points}
-    return {title: found[name] for name, title in EVENTS.items()}
-
-
-def make(chains, results):
-    events = by_title(chains["continued"])
+def make(results):
+    events = {name: continued(name) for name in SHOWN}
     draw(events, results / "fig3")
     write_table(results / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
-    peaks = {n: peak_speed(e["fast_slip"]) for n, e in by_title(chains["every_step"]).items()}
-    numbers = numbers_of(events, peaks)
-    no_slip_force.make(chains, results)
+    numbers = numbers_of(events, {name: peak_speed(every_step(name)) for name in SHOWN})
+    no_slip_force.make(results)
     for part in (decay_length_figure, front_speed_figure, slow_slip_figure):
-        numbers += part.make(chains, results)
+        numbers += part.make(results)
     return numbers

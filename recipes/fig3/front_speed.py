@@ -1,24 +1,120 @@
-"""The speed of slow fronts beside that of slow slip, as the script of a chain:
+"""Figure 3 D: the speed of slow fronts beside that of slow slip, under both laws. sweeps.md says
+which parameters go with those that vary.
 
-    scaling = script front_speed.py {all front_speed where numerics.seed == seed}
-    scaling = script front_speed.py SIGMA-BAR FRONTS OTHERS
-
-Reports lines through the origin for the full and the simplified model, in each way to measure
-("under"); with another width of phi, for that. The simplified law has one spring per block and no
-width: another one is that of the full model alone.
+The simplified law has one spring per block and no width: another width of phi is that of the full
+model alone.
 """
 
-import numpy as np
+from functools import cache
 
-import slow_fronts as slow
-from chains.results import read_points
-from claims import paper
+import numpy as np
+from rupture.once import each, run
+
+import paper
+from claims.samples import Samples, Unit, sampled
+from fig3 import slow_fronts as slow
+from maps import SEEDS, places_of, spaced
 from measure.conventions import PRIMARY
 from measure.tables import numbers
 
 NX = 57
 N_S = 100
+SIMPLIFIED = {"junctions.law": "simplified", "sigma-bar": 0, "junctions.v_slow": 1e-3}
+V_SLOW = (0.3e-3, 0.5e-3, 0.75e-3, 1e-3, 1.5e-3, 2e-3, 3e-3, 5e-3)  # [m/s]
+T_R, MU_D = "junctions.t_R", "junctions.mu_d"
+TIMES = (1e-3, 2e-3, 4e-3)  # t_R [s]
 VARIED = ("v_slow and tau_0", "t_R and tau_0", "t_R", "f_slip", "k_i", "F_N")
+
+
+# --- fronts ------------------------------------------------------------------------------------
+
+
+def over(name, *values):
+    return [{name: value} for value in values]
+
+
+def on_stress(tau_bars, name, values):
+    return [{"tau-bar": tau_bar, name: value} for tau_bar, value in places_of(tau_bars, values)]
+
+
+FULL: dict[str, list] = {  # each with its variants
+    "full, f_slip": over(MU_D, 0.085, 0.1275, 0.255, 0.34),
+    "full, k_i": over("slider.E", 1.5e9, 2e9, 2.5e9, 3.5e9),
+    "full, F_N": over("slider.F_N", 960, 1440, 2880, 3840),
+}
+OF_SIMPLIFIED = {
+    "simplified, v_slow and tau_0": on_stress((0.05, 0.1, 0.15), "junctions.v_slow", V_SLOW),
+    "simplified, t_R": over(T_R, 1e-3, 1.5e-3, 3e-3, 4e-3),
+    "simplified, f_slip": over(MU_D, 0.085, 0.1275, 0.255),
+    "simplified, k_i": over("slider.E", 2e9, 4.5e9, 6e9),
+    "simplified, F_N": over("slider.F_N", 960, 1440, 2880),
+}
+VARIANTS = {
+    "full, t_R and tau_0": on_stress(spaced(0.07, 0.12, 0.005), T_R, TIMES),
+    **FULL,
+    **{name: [SIMPLIFIED | of for of in variants] for name, variants in OF_SIMPLIFIED.items()},
+}
+# Its full model at other widths of phi, around the prestress at which the front is as fast.
+WIDTHS = {
+    "full, t_R and tau_0": [
+        {"sigma-bar": 0} | of for of in on_stress(spaced(0.14, 0.19, 0.005), T_R, TIMES)
+    ],
+    **{
+        name: [{"sigma-bar": sigma, "tau-bar": 0.165 - 0.475 * sigma} | of
+               for sigma in (0, 0.2) for of in variants]
+        for name, variants in FULL.items()
+    },
+    "full, t_R and tau_0, wide": [
+        {"sigma-bar": 0.2} | of for of in on_stress(spaced(0.04, 0.09, 0.005), T_R, TIMES)
+    ],
+}  # fmt: skip
+
+
+def parameters(seed, **changed):
+    """f_thres/f_slip, delta_t_R/t_R and k/k_i are kept, and k_i when F_N varies; the time step
+    follows the wave speed."""
+    of = {"tau-bar": 0.1, "sigma-bar": 0.1, "slider.E": 3e9, "slider.F_N": 1920}
+    of |= {"junctions.mu_d": 0.17, "junctions.t_R": 2e-3, "numerics.seed": seed} | changed
+    stiffness = of["slider.E"] / 3e9
+    following = {
+        "junctions.mu_s": 0.4 / 0.17 * of["junctions.mu_d"],
+        "junctions.kappa": 39.2e9 * stiffness**2 / (of["slider.F_N"] / 1920),
+        "junctions.delta_t_R": 0.3 * of["junctions.t_R"],
+        "numerics.dt": 2e-7 / stiffness**0.5,
+    }
+    return slow.rounded(of | following)
+
+
+@cache
+def fronts(seed):
+    """Rows under both laws."""
+    law = {"junctions.law": "reference", "junctions.v_slow": 0}
+    points = [
+        (name, parameters(seed, **law | of))
+        for name, variants in VARIANTS.items()
+        for of in variants
+    ]
+    return [row for _, row in each(slow.front_of, points, f"front speeds, seed {seed}")]
+
+
+def front_of_width(variant, parameters):
+    """The row of a front."""
+    found = run(f"analyze slow-slip {slow.record_of(parameters)}")
+    row = {"variant": variant, **parameters, "type": found.type, "windows": {PRIMARY: found}}
+    return slow.in_window(row)
+
+
+@cache
+def widths(seed):
+    """Usable rows of the full law at other widths of phi."""
+    points = [
+        (name, parameters(seed, **of)) for name, variants in WIDTHS.items() for of in variants
+    ]
+    title = f"other widths, seed {seed}"
+    return slow.usable([row for _, row in each(front_of_width, points, title)])
+
+
+# --- fits --------------------------------------------------------------------------------------
 
 
 def scaled_slip(rows):
@@ -48,35 +144,46 @@ def fits_of(rows):
     return {model: fit(chosen(rows, model)) for model in ("full", "simplified")}
 
 
-def scaling_of(rows):
-    """Without values where a model could not be fitted."""
-    full, simplified = fits_of(rows).values()
-    both = full and simplified
-    names = ("r_squared", "slope", "exponent", "largest")
-    return {
-        f"{name}_{model}": value
-        for model, fit in (("full", full), ("simplified", simplified))
-        for name, value in slow.measured(fit, *names).items()
-    } | {"difference": abs(full.slope / simplified.slope - 1) if both else None}
+def usable_fronts(seed):
+    """{way to measure: usable rows}"""
+    return slow.by_way(fronts(seed))
 
 
 def with_width(rows, widths, sigma_bar):
     """The full model's fronts at this width of phi instead; the simplified one has none."""
-    others = [row for row in widths if float(row["sigma-bar"]) == sigma_bar]
-    return chosen(rows, "simplified") + others
+    return chosen(rows, "simplified") + [row for row in widths if row["sigma-bar"] == sigma_bar]
 
 
-def scalings(points):
-    rows = slow.fronts(points)
-    found = {PRIMARY: scaling_of(rows)}
-    found |= {window: scaling_of(slow.fronts(points, window)) for window in slow.OTHER_WINDOWS}
-    found[slow.WITHOUT_NEAR_ARREST] = scaling_of(slow.without_near_arrest(rows))
-    return found.pop(PRIMARY) | {"under": found}
+def fits(seed):
+    """A sample: {way to measure: {model: fit}}"""
+    return {way: fits_of(rows) for way, rows in usable_fronts(seed).items()}
 
 
-def main(*words):
-    if len(words) == 1:
-        return scalings(read_points(words[0]))
-    sigma_bar, *files = words
-    rows, widths = (slow.fronts(read_points(file)) for file in files)
-    return scaling_of(with_width(rows, widths, float(sigma_bar)))
+def fits_at_width(seed, sigma_bar):
+    rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
+    return {PRIMARY: fits_of(rows)}
+
+
+def each_seed():
+    units = {PRIMARY: sampled(fits, [(seed,) for seed in SEEDS], "front speeds")}
+    for sigma in (0, 0.2):
+        points = [(seed, sigma) for seed in SEEDS]
+        units[f"sigma-bar {sigma}"] = sampled(fits_at_width, points, f"sigma-bar {sigma}")
+    found = {name: [Unit(None, of) for _, of in of_seeds] for name, of_seeds in units.items()}
+    return Samples({"": fits(1)}, found)
+
+
+def scaling(fits, way):
+    """3D"""
+    full, simplified = (fits[way][model] for model in ("full", "simplified"))
+    return {
+        "slope, full": full.slope,
+        "slope, simplified": simplified.slope,
+        "R^2, full": full.r_squared,
+        "R^2, simplified": simplified.r_squared,
+        "difference of the slopes": abs(full.slope / simplified.slope - 1),
+        "exponent, full": full.exponent,
+        "exponent, simplified": simplified.exponent,
+        "largest deviation from the line, full": full.largest,
+        "largest deviation from the line, simplified": simplified.largest,
+    }

@@ -1,10 +1,12 @@
 """Figure 3 D and its data."""
 
-import slow_fronts as slow
+from rupture.figures import AS_IT_IS, CHANGED, SINGLE, lettered, save
+
 from claims.spread import spread
-from front_speed import chosen, fit, fits_of, scaled_slip, slip
+from fig3 import slow_fronts as slow
+from fig3.front_speed import chosen, fit, fits_of, scaled_slip, slip, usable_fronts
+from measure.conventions import PRIMARY
 from measure.tables import write_columns
-from report.plotting import AS_IT_IS, CHANGED, SINGLE, lettered, save
 
 SHOWN = 1  # seed
 MODELS = {  # label and colour
@@ -57,9 +59,8 @@ def draw(rows, fits, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    points = [point for point in chains["front_speed"] if point["numerics.seed"] == SHOWN]
-    rows = slow.fronts(points)
+def make(results):
+    rows = usable_fronts(SHOWN)[PRIMARY]
     draw(rows, fits_of(rows), results / "fig3D")
     scaled = [row | {"scaled slow slip [m/s]": x} for row, x in zip(rows, scaled_slip(rows))]
     names = ["variant", "tau-bar", "sigma-bar", "junctions.t_R", "junctions.mu_d", "slider.E"]

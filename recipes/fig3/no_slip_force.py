@@ -1,16 +1,52 @@
-"""Fronts where junctions that slip carry no force: their table, and as the script of a chain
+"""Fronts where junctions that slip carry no force (f_slip = 0), so that nothing can slip slowly.
+Pressure and mu_s are as ever, tau-bar is now tau_0/(mu_s p)."""
 
-    no_slow = script no_slip_force.py FRONTS BANDS REFERENCE
+from functools import cache
+from types import SimpleNamespace
 
-how many are of which type, and the widest band of slow ones over the reference's (points of
-edges.ini), over all sigma_bar; in each way to measure ("under").
-"""
+from rupture.once import each
 
-from chains.results import read_points
-from measure.tables import rows_of, write_table
+from claims.samples import Samples, Unit, sampled
+from maps import SEEDS, edges, fronts_at, places_of, spaced, width
 from measure.conventions import CONVENTIONS, PRIMARY
-from measure.bands import bands_of, width
-from measure.front_map import TYPES, beyond_trigger, front_type, read_map
+from measure.front_map import TYPES, beyond_trigger, front_type
+from measure.tables import write_table
+
+TAU_BARS, SIGMA_BARS = spaced(0.02, 0.4, 0.02), (0, 0.1)
+NO_FORCE = "--set junctions.mu_d=0"
+
+
+@cache
+def fronts(seed):
+    """{place: front}"""
+    found = fronts_at(places_of(TAU_BARS, SIGMA_BARS), [seed], NO_FORCE, f"f_slip = 0, seed {seed}")
+    return {place: of[seed] for place, of in found.items()}
+
+
+def bands(sigma_bar, seed):
+    """Edges where slipping junctions carry no force, and of the reference."""
+    return edges(sigma_bar, NO_FORCE, seed), edges(sigma_bar)
+
+
+def of_seed(seed):
+    found = each(bands, [(sigma, seed) for sigma in SIGMA_BARS], f"edges, seed {seed}")
+    return SimpleNamespace(fronts=[*fronts(seed).values()], bands=[of for _, of in found])
+
+
+def each_seed():
+    found = sampled(of_seed, [(seed,) for seed in SEEDS], "f_slip = 0")
+    return Samples({"": of_seed(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+
+
+def types(of, way):
+    """no-slip-force"""
+    kinds = [front_type(front, way) for front in of.fronts]
+    counts = {f"{kind} fronts": kinds.count(kind) for kind in TYPES}
+    widest = max(width(ours, way) / width(reference, way) for ours, reference in of.bands)
+    return {"interfaces": len(kinds)} | counts | {"slow band/the reference's": widest}
+
+
+# --- the table ---------------------------------------------------------------------------------
 
 
 def types_of(front):
@@ -25,26 +61,12 @@ def slowest(front):
     return min((v for v in beyond_trigger(front) if v > 0), default=None)
 
 
-def found_in(way, fronts, bands):
-    kinds = [front_type(front, way) for front in fronts]
-    of_width = [width(ours, way) / width(reference, way) for ours, reference in bands.values()]
-    return {kind: kinds.count(kind) for kind in TYPES} | {"widest": max(of_width)}
-
-
-def main(*files):
-    fronts, changed, reference = map(read_points, files)
-    of_places = [front for of in read_map(rows_of(fronts)).values() for front in of.values()]
-    bands = bands_of(changed, reference)
-    found = {way: found_in(way, of_places, bands) for way in CONVENTIONS}
-    return found.pop(PRIMARY) | {"fronts": len(of_places), "under": found}
-
-
-def make(chains, results):
-    fronts = read_map(rows_of(chains["no_slip_force"]))
+def make(results):
+    known = sampled(fronts, [(seed,) for seed in SEEDS], "f_slip = 0")
     rows = (
-        [seed, *place, slowest(of[seed]), *types_of(of[seed]).values()]
-        for seed in sorted({seed for of in fronts.values() for seed in of})
-        for place, of in fronts.items()
+        [seed, *place, slowest(front), *types_of(front).values()]
+        for (seed,), found in (known or [((1,), fronts(1))])
+        for place, front in found.items()
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *CONVENTIONS]
     write_table(results / "no-slip-force.csv", names, rows)

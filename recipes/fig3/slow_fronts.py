@@ -1,35 +1,74 @@
 """Slow fronts on prepared interfaces, and the slow slip behind them: windows in time, and fits.
-Rows have the values of a point, and what was measured in one window.
+Rows have the parameters of an interface by name, and what was measured.
 """
 
 from collections import namedtuple
 
 import numpy as np
+from rupture.once import run
 
-from measure.tables import numbers, rows_of
 from measure.conventions import PRIMARY
+from measure.tables import numbers
 
+RECORDED = "--record record.h5 --record-every 2e-5"
 BLOCKS = 5  # fewer tell nothing about a front
 NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest
 WITHOUT_NEAR_ARREST = "without fronts near arrest"
-FOR_TWO_T_R, FOR_WHOLE_T_R = "followed for up to 2 <t_R>", "followed for whole <t_R>"
-# Commands of the chains.
-WINDOWS = {PRIMARY: "slow_slip", FOR_TWO_T_R: "two_t_R", FOR_WHOLE_T_R: "whole_t_R"}
-OTHER_WINDOWS = [*WINDOWS][1:]
+WINDOWS = {  # options of `analyze slow-slip`
+    PRIMARY: "",
+    "followed for up to 2 <t_R>": "--longest 2 --shortest 1",
+    "followed for whole <t_R>": "--shortest 1",
+}
 
 
-def in_window(row, result, window):
-    """The row of a point with what was measured in a window; without values where nothing was."""
-    found = result.get(WINDOWS[window]) or {"blocks": 0}
-    speed = found.get("speed") or {}
+# --- fronts ------------------------------------------------------------------------------------
+
+
+def rounded(parameters):
+    """To 12 digits, as they are typed."""
+    return {
+        name: value if isinstance(value, str) else float(f"{value:.12g}")
+        for name, value in parameters.items()
+    }
+
+
+def option(name, value):
+    text = value if isinstance(value, str) else f"{value:.12g}"
+    return f"--set {name}={text}" if "." in name else f"--{name} {text}"
+
+
+def record_of(parameters, keep=()):
+    """Of a front on a prepared interface."""
+    words = (option(*of) for of in parameters.items())
+    start = run(f"prepare {' '.join(words)} -o start.h5")["start.h5"]
+    return run(f"restart {start} -o end.h5 --until-quiet {RECORDED}", keep)["record.h5"]
+
+
+def front_of(variant, parameters):
+    """The row of a front, with its slow slip in all windows."""
+    record = record_of(parameters, ["record.h5"])
+    windows = {
+        name: run(f"analyze slow-slip {record} {options}") for name, options in WINDOWS.items()
+    }
+    of_front = {"type": windows[PRIMARY].type, "point": record.work.own, "windows": windows}
+    return {"variant": variant, **parameters, **of_front}
+
+
+# --- rows --------------------------------------------------------------------------------------
+
+
+def in_window(row, window=PRIMARY):
+    """The row with what was measured in a window; without values where nothing was."""
+    found = row["windows"][window]
+    speed = found.speed or {}
     return row | {
-        "blocks": found["blocks"],
-        "front speed [m/s]": found.get("front_speed"),
+        "blocks": found.blocks,
+        "front speed [m/s]": found.front_speed,
         "slow slip [m/s]": speed.get("mean"),
         "slowest [m/s]": speed.get("min"),
         "fastest [m/s]": speed.get("max"),
-        "estimate [m/s]": found.get("estimate"),
-        "per_block": found.get("per_block"),
+        "estimate [m/s]": found.estimate,
+        "per_block": found.per_block,
     }
 
 
@@ -38,13 +77,11 @@ def usable(rows):
     return [row for row in rows if row["type"] == "slow" and row["blocks"] >= BLOCKS]
 
 
-def fronts(points, window=PRIMARY):
-    """The usable rows."""
-    return usable([in_window(row, result, window) for row, result in rows_of(points)])
-
-
-def without_near_arrest(rows):
-    return [row for row, v_c in zip(rows, speeds(rows)) if v_c >= NEAR_ARREST]
+def by_way(rows):
+    """{way to measure: usable rows}"""
+    found = {name: usable([in_window(row, name) for row in rows]) for name in WINDOWS}
+    fast_enough = [row for row in found[PRIMARY] if row["front speed [m/s]"] >= NEAR_ARREST]
+    return found | {WITHOUT_NEAR_ARREST: fast_enough}
 
 
 def speeds(rows):
@@ -52,25 +89,23 @@ def speeds(rows):
     return numbers(rows, "front speed [m/s]")
 
 
+# --- fits --------------------------------------------------------------------------------------
+
 # y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how much
 # better the fit is than no dependence on x at all. `exponent`: of a power law through the same
-# points, 1 if y is proportional to x; None unless all are positive. `largest`: deviation of a point
+# points, 1 if y is proportional to x; NaN unless all are positive. `largest`: deviation of a point
 # from the line, relative to the line.
 ProportionalFit = namedtuple("ProportionalFit", "slope r_squared points exponent largest")
+NO_FIT = ProportionalFit(np.nan, np.nan, 0, np.nan, np.nan)
 
 
 def fit_through_origin(x, y):
     x, y = np.asarray(x, float), np.asarray(y, float)
     if len(x) < 2:
-        return None
+        return NO_FIT
     slope = (x @ y) / (x @ x)
     residual = ((y - slope * x) ** 2).sum()
     r_squared = 1 - residual / ((y - y.mean()) ** 2).sum()
     are_positive = min(*x, *y) > 0
-    exponent = np.polyfit(np.log(x), np.log(y), 1)[0] if are_positive else None
+    exponent = np.polyfit(np.log(x), np.log(y), 1)[0] if are_positive else np.nan
     return ProportionalFit(slope, r_squared, len(x), exponent, np.abs(y / (slope * x) - 1).max())
-
-
-def measured(fit, *names):
-    """{name: value} of the results of a fit; None for each without a fit."""
-    return {name: fit and getattr(fit, name) for name in names}

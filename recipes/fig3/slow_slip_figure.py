@@ -1,11 +1,12 @@
 """Figure 3 C, inset, and its data."""
 
-import slow_fronts as slow
-from claims import paper
+from rupture.figures import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
+
+import paper
 from claims.spread import spread
+from fig3.slow_slip import MM, estimate_and_measured, fits_of, of_event
+from measure.conventions import PRIMARY
 from measure.tables import numbers, write_columns
-from report.plotting import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
-from slow_slip import MM, estimate_and_measured, fit, of_event, varied
 
 SHOWN = 1  # seed
 VARIED = {  # marker and label
@@ -24,14 +25,13 @@ def draw_rows(axes, rows, marker, colour, label):
     axes.errorbar(x, y, yerr=[low, high], label=label, **look)
 
 
-def draw(prepared, event, prepared_fit, stem):
+def draw(prepared, event, slope, stem):
     fig, axes = figure(SINGLE, SINGLE)
     for variant, (marker, label) in VARIED.items():
         rows = [row for row in prepared if row["varies"] == variant]
         draw_rows(axes, rows, marker, BLUE, f"prepared, {label}")
     draw_rows(axes, event, "^", EVENT["II"], r"event II, $\langle t_R\rangle$ varied")
     end = 1.08 * max(estimate_and_measured(prepared + event)[0])
-    slope = prepared_fit.slope
     label = f"prepared: slope {slope:.2f}"
     axes.plot([0, end], [0, slope * end], color=BLUE, linewidth=0.8, label=label)
     axes.plot([0, end], [0, end], label="paper: Eq. S1", **OF_PAPER)
@@ -42,18 +42,15 @@ def draw(prepared, event, prepared_fit, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    points = [point for point in chains["slow_slip"] if point["numerics.seed"] == SHOWN]
-    event = of_event(chains["slow_slip_event"])
-    prepared = slow.fronts(points)
-    of_SI = varied(prepared)
-    draw(of_SI, event, fit(of_SI), results / "fig3C-inset")
-    rows = [{"interface": "prepared"} | row for row in prepared]
-    rows += [{"interface": "event"} | row for row in event]
+def make(results):
+    found = fits_of(SHOWN)
+    slope = found.fits[PRIMARY].slope
+    draw(found.varied, of_event(), slope, results / "fig3C-inset")
+    rows = [{"interface": "prepared"} | row for row in found.rows]
+    rows += [{"interface": "event"} | row for row in of_event()]
     names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
     names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]
     write_columns(results / "slow-slip-speed.csv", names, rows)
-    fitted, (estimate, measured) = fit(of_SI), estimate_and_measured(of_SI)
+    estimate, measured = estimate_and_measured(found.varied)
     ratio = "speed of slow slip over Eq. S1"
-    number = spread(ratio, 1.0, measured / estimate, "{} prepared fronts", shown=fitted.slope)
-    return [number]
+    return [spread(ratio, 1.0, measured / estimate, "{} prepared fronts", shown=slope)]

@@ -1,30 +1,16 @@
-"""The strength of blocks, and whether those that a slow front passes have a low sigma_bar or a low
-prestress, as the script of two chains:
-
-    deviation   = script strength.py deviation {all strength} {all strength_curves}
-    shown       = script strength.py shown {all ../fig2/event} {all strength_curves}
-    on_map      = script strength.py on_map {seed} {all map} {all map_between} {all map_boundary}
-    over_events = script strength.py over_events {all ../ensemble/continued}
-
-`deviation`: the largest one of prepared points from the curves. `shown`: the share of all blocks of
-events I and II that lie near a curve. `on_map` and `over_events`: in which share of pairs of a slow
-and a fast place the slow one has the lower sigma_bar, over the grid points of Figure 4 D with the
-fronts of a seed, and over the blocks of an event (the median event, in each way, "under"; also the
-share with the lower tau_0/p).
-"""
+"""The strength of blocks, and whether those that a slow front passes have a low sigma_bar."""
 
 from collections import namedtuple
 
 import numpy as np
+from rupture.reports import LOADING_ZONE, values
 
-from chains.results import read_points
+from measure.conventions import PRIMARY
+from measure.fronts import SLOW_BELOW, type_on_map
 from measure.pairs import share_of_lower
-from measure.tables import values
-from measure.fronts import LOADING_ZONE, SLOW_BELOW
-from measure.front_map import load_map, map_of_seed, type_on_map, types_of
 
-BINS = (0.1, 0.05, 0.2)  # of tau_bar_0: blocks in one bin count as equally loaded; primary first
-OTHER_BINS = {f"bins of {width:g}": width for width in BINS[1:]}
+# Of tau_bar_0: blocks in one bin count as equally loaded.
+BINS = {PRIMARY: 0.1, "bins of 0.05": 0.05, "bins of 0.2": 0.2}
 CURVES = ("uniform", "bell")
 MIDDLE = 40  # a block between the trigger region and the leading edge
 NEAR = 0.1  # a curve, in mu_bar_eff
@@ -53,25 +39,10 @@ def blocks_of(front, strength):
     return [Block(kind, *of_block) for kind, of_block in zip(kinds, quantities) if kind]
 
 
-def prepared_points(points):
-    """The block in the middle of prepared interfaces, without those that cannot be prepared."""
-    return [
-        Block(
-            type_on_map(point["front"]["type"]),
-            point["strength"]["sigma_bar"][MIDDLE],
-            point["tau-bar"],
-            point["strength"]["mu_bar_eff"][MIDDLE],
-            point["shape"],
-        )
-        for point in points
-        if point.status == "done"
-    ]
-
-
-def lines_of(points):
-    """{shape: (sigma_bar, mu_bar_eff)}"""
-    pairs = [(p["shape"], p["sigma-bar"], p["strength"]["mu_bar_eff"]) for p in points]
-    return {shape: [*zip(*(xy for of, *xy in pairs if of == shape))] for shape in CURVES}
+def prepared_block(strength, front, tau_bar, shape):
+    """The block in the middle of a prepared interface."""
+    quantities = strength["sigma_bar"][MIDDLE], tau_bar, strength["mu_bar_eff"][MIDDLE]
+    return Block(type_on_map(front["type"]), *quantities, shape)
 
 
 # --- what they say -------------------------------------------------------------------------
@@ -111,7 +82,7 @@ def map_strata(types):
     return strata_of([(*place, kind) for place, kind in sorted(types.items())])
 
 
-def share_by_width(blocks, width=BINS[0]):
+def share_by_width(blocks, width=BINS[PRIMARY]):
     """Share of the pairs of a slow and a fast block with tau_bar_0 in the same bin in which the
     slow one has the lower sigma_bar; None without such pairs."""
     return share_of_lower(
@@ -119,30 +90,11 @@ def share_by_width(blocks, width=BINS[0]):
     )
 
 
-# --- reports -------------------------------------------------------------------------------
-
-
 def over_events(events):
-    """The share of the blocks of each event, its median over events, also with other bins."""
-
-    def found(width):
-        of_width = [share_by_width(blocks, width) for blocks in events]
-        shares = [share for share in of_width if share is not None]
-        return {"events": len(shares), "share": float(np.median(shares)) if shares else None}
-
-    return found(BINS[0]) | {"under": {way: found(w) for way, w in OTHER_BINS.items()}}
-
-
-def main(which, *words):
-    if which == "on_map":
-        seed, *files = words
-        fronts, grid = load_map(*map(read_points, files))
-        of_seed = map_of_seed({place: fronts[place] for place in grid}, int(seed))
-        return {"share": share_of_lower(map_strata(types_of(of_seed)))}
-    points, *curves = map(read_points, words)
-    if which == "deviation":
-        return {"largest": largest_deviation(prepared_points(points), lines_of(*curves))}
-    events = [blocks_of(point["front"], point["strength"]) for point in points]
-    if which == "shown":
-        return {"near": share_near(sum(events, []), lines_of(*curves))}
-    return over_events(events)
+    """{width of bins: of how many events, and the share of the median event}"""
+    found = {}
+    for name, width in BINS.items():
+        shares = [share_by_width(blocks, width) for blocks in events]
+        known = [share for share in shares if share is not None]
+        found[name] = len(known), np.median(known) if known else np.nan
+    return found

@@ -1,10 +1,12 @@
 """Figure 4 C and its data."""
 
-from measure.tables import write_table
-from report.plotting import BLACK, EVENT, SINGLE, figure, letter, save
-from strength import blocks_of, lines_of, prepared_points
+from rupture.figures import BLACK, EVENT, SINGLE, figure, letter, save
 
-SHOWN = {"fast-slow-fast": ("I", EVENT["I"]), "second-slow": ("II", EVENT["II"])}
+from events import EVENTS
+from fig4.commands import curves, prepared, shown_blocks
+from measure.tables import write_table
+
+SHOWN = {"event I": EVENT["I"], "event II": EVENT["II"]}
 MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}
 CURVES = {"uniform": "-", "bell": "--"}
 
@@ -20,7 +22,7 @@ def draw(events, points, lines, stem):
     fig, axes = figure(SINGLE, 0.85 * SINGLE)
     for shape, style in CURVES.items():
         axes.plot(*lines[shape], color=BLACK, linestyle=style, linewidth=0.8, label=shape)
-    coloured = {f"event {name}": (colour, events[of]) for of, (name, colour) in SHOWN.items()}
+    coloured = {name: (colour, events[name]) for name, colour in SHOWN.items()}
     coloured["prepared"] = BLACK, points
     for colour, blocks in coloured.values():
         for kind in ("loading zone", "arrested", "fast", "slow"):
@@ -36,13 +38,11 @@ def draw(events, points, lines, stem):
     save(fig, stem)
 
 
-def make(chains, results, events):
-    """`events`: {name: point}."""
-    shown = {name: blocks_of(events[name]["front"], events[name]["strength"]) for name in SHOWN}
-    points, lines = prepared_points(chains["strength"]), lines_of(chains["strength_curves"])
-    draw(shown, points, lines, results / "fig4C")
-    named = [(f"prepared, {point.shape}", point) for point in points]
-    named += [(event, block) for event, blocks in shown.items() for block in blocks]
+def make(results):
+    shown = {name: shown_blocks(name) for name in SHOWN}
+    draw(shown, prepared(), curves(), results / "fig4C")
+    named = [(f"prepared, {point.shape}", point) for point in prepared()]
+    named += [(EVENTS[event], block) for event, blocks in shown.items() for block in blocks]
     names = ["kind", "tau_bar_0", "sigma_bar", "mu_bar_eff"]
     rows = ([name, *(getattr(block, of) for of in names)] for name, block in named)
     write_table(results / "strength.csv", ["points", *names], rows)

@@ -1,15 +1,14 @@
 """Figure 5: A and its data here, B in quasistatic.py."""
 
 import numpy as np
-import quasistatic
 import rupture
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save, window_of
+from rupture.reports import values
 
-from measure.tables import values, write_table
-from measure.fronts import middle_of
-from report.panels import window_of
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
+from fig5 import quasistatic
+from fig5.commands import event
+from measure.tables import write_table
 
-RECORDS = "record.h5", "undriven-record.h5"  # as driven, and with the driving stopped
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
 
 
@@ -37,20 +36,19 @@ def draw(records, fronts, t_stop, stem):
     t_zero, window = window_of(fronts[0])
     fig, axes = figure(DOUBLE, 0.36 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], records, t_zero, t_stop)
-    quasistatic.draw_pinned(fig, axes[1], *records, t_zero)
+    quasistatic.draw_pinned(fig, axes[1], records[0], records[1], t_zero)
     draw_lines(axes[1], fronts, t_zero, t_stop)
     axes[1].set(ylim=window)
     letter(axes[0], "A")
     save(fig, stem)
 
 
-def make(chains, results):
-    [event] = chains["undriven"]
-    fronts = event["front"], event["front_undriven"]
-    t_stop = middle_of(fronts[0]["slow"])
-    records = [rupture.open(event.file(name)) for name in RECORDS]
-    draw(records, fronts, t_stop, results / "fig5A")
+def make(results):
+    of = event()
+    fronts = of.front, of.undriven
+    records = [rupture.open(record) for record in (of.record, of.undriven_record)]
+    draw(records, fronts, of.stop, results / "fig5A")
     names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]
-    lines = zip(fronts[0]["x"], *(front["t_rupture"] for front in fronts))
+    lines = zip(of.front.x, *(front.t_rupture for front in fronts))
     write_table(results / "rupture-lines.csv", names, lines)
-    return quasistatic.make(chains["advance"], chains["seeds_advance"], results)
+    return quasistatic.make(results)

@@ -1,17 +1,18 @@
 """Figure 5 B and its data."""
 
+from matplotlib.colors import LinearSegmentedColormap
 import numpy as np
 import rupture
-from matplotlib.colors import LinearSegmentedColormap
+from rupture.errors import Failure
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
+from rupture.plotting import MAP, draw_image
 
 from claims.spread import spread
+from fig5.commands import MOVES, branches, middle_branch, seeds, shown_load
 from measure.tables import write_table
-from report.panels import draw_image
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, MAP, figure, letter, save
 
 GREYS = LinearSegmentedColormap.from_list("greys", ["0.5", "1"])  # black lines can be seen on it
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured
-HARDLY = 2  # blocks; what moves less with the drive says nothing of what happens without it
 SHOWN_BEFORE, SHOWN_AFTER = 10e-3, 5e-3  # the dynamic events on either side [s]
 
 
@@ -43,15 +44,14 @@ def draw_pinned(fig, axes, driven, stopped, t_zero=0.0):
 
 def draw(middle, load, stem):
     """`middle`: the branch in the middle of the stretch; `load`: the record before it."""
-    stretch, stopped = middle["stretch"], rupture.open(middle.file("stopped-record.h5"))
-    first, second = stretch["dynamic_events"][:2]
+    stretch, stopped = middle.stretch, rupture.open(middle.record)
+    first, second = stretch.dynamic_events[:2]
     window = (first - SHOWN_BEFORE) * 1e3, (second + SHOWN_AFTER) * 1e3
     fig, axes = figure(DOUBLE, 0.42 * DOUBLE, ncols=2, width_ratios=[1, 1.5])
     draw_loading(axes[0], load, stopped, window)
     draw_pinned(fig, axes[1], load, stopped)
-    t_branch = float(middle["branch"]["t"]) * 1e3
-    axes[1].axhline(t_branch, color=CHANGED, linestyle=":", label="driving stops")
-    time, tip = np.array(stretch["tip"]).T
+    axes[1].axhline(middle.t * 1e3, color=CHANGED, linestyle=":", label="driving stops")
+    time, tip = np.array(stretch.tip).T
     axes[1].step(
         tip / load.x[-1], time * 1e3, where="pre", color=AS_IT_IS, linewidth=1, label="tip, driven"
     )
@@ -61,23 +61,20 @@ def draw(middle, load, stem):
     save(fig, stem)
 
 
-def make(branches, of_seeds, results):
-    [middle] = (branch for branch in branches if branch["branch"]["middle"])
-    stretch = middle["stretch"]
-    draw(middle, rupture.open(middle.file("record.h5")), results / "fig5B")
-    write_table(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], stretch["tip"])
+def ratio_of(branch):
+    return branch.advance.c_s / branch.stretch.speed
+
+
+def make(results):
+    middle = middle_branch()
+    draw(middle, rupture.open(shown_load()["record.h5"]), results / "fig5B")
+    write_table(results / "quasistatic-tip.csv", ["time [s]", "tip [m]"], middle.stretch.tip)
     names = ["V = 0 from [s]", "tip [block]", "advance driven [blocks]"]
     names += ["advance with V = 0 [blocks]"]
     keys = ("t", "tip", "driven", "stopped")
-    rows = ([branch["advance"][key] for key in keys] for branch in branches)
+    rows = ([branch.advance[key] for key in keys] for branch in branches())
     write_table(results / "quasistatic-branches.csv", names, rows)
-    ratios, of = ratios_of(of_seeds), "{} runs at h = 0"
+    of_seeds = (branch for _, branch in seeds() if not isinstance(branch, Failure))
+    ratios = [ratio_of(branch) for branch in of_seeds if branch.advance.driven > MOVES]
+    of = "{} runs at h = 0"
     return [spread("c_s/speed at h = 0", None, ratios, of, shown=ratio_of(middle))]
-
-
-def ratio_of(branch):
-    return branch["advance"]["c_s"] / branch["stretch"]["speed"]
-
-
-def ratios_of(branches):
-    return [ratio_of(branch) for branch in branches if branch["advance"]["driven"] > HARDLY]

@@ -1,24 +1,13 @@
-"""Finds a quasi-static front, as the script of a chain:
-
-    stretch = script quasistatic_stretch.py record.h5 CHECKPOINT_EVERY
+"""Finds a quasi-static front between dynamic events.
 
 Dynamic events are times at which more than half of the blocks rupture within 1 ms. Between the
 first two of them, the tip is the furthest block that has ruptured. What happens within 10 ms (5
 t_R) of either event belongs to that: single blocks rupture again, or the later event nucleates.
-It reports when the tip was where, and the checkpoints nearest to each tenth of the stretch, where a
-run with the driving stopped can branch off.
-
-    advance = script quasistatic_stretch.py {all stopped where branch.t == at}
-
-Of such a run, it reports by how many blocks the tip advances with the driving and without it.
 """
-
-import sys
 
 import numpy as np
 import rupture
-
-from chains.results import read_points
+from rupture.errors import Failure
 
 WINDOW = 1e-3  # [s]
 APART = 10e-3  # from a dynamic event [s]
@@ -61,7 +50,7 @@ def quasistatic_stretch(ruptures, checkpoint_every):
     time, block, x = ruptures
     events = dynamic_events(time, block, len(x))
     if not events:
-        sys.exit("this load has no dynamic event: load for longer")
+        raise Failure("this load has no dynamic event: load for longer")
     end = events[1][0] if len(events) > 1 else np.inf
     start = events[0][1] + APART
     t, tip = tip_advances(time, block, start, end - APART)
@@ -95,14 +84,13 @@ def advances(load, stopped, interval_from, t_branch):
     }
 
 
-def main(path, checkpoint_every=None):
-    if checkpoint_every:
-        return quasistatic_stretch(read_ruptures(path), float(checkpoint_every))
-    [branch] = read_points(path)
-    load, stopped = (
-        read_ruptures(branch.file(name)) for name in ("record.h5", "stopped-record.h5")
-    )
-    found = advances(
-        load, stopped, branch["stretch"]["interval_from"], float(branch["branch"]["t"])
-    )
-    return found | {"c_s": rupture.open(branch.file("record.h5")).c_s}
+def stretch_of(record, checkpoint_every):
+    """When the tip was where, and the checkpoints nearest to each tenth of the stretch, where a run
+    with the driving stopped can branch off."""
+    return quasistatic_stretch(read_ruptures(record), checkpoint_every)
+
+
+def advances_of(record, stopped, interval_from, t_branch):
+    """By how many blocks the tip advances after a branch, with the driving and without it."""
+    found = advances(read_ruptures(record), read_ruptures(stopped), interval_from, t_branch)
+    return found | {"c_s": rupture.open(record).c_s}

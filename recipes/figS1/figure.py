@@ -1,8 +1,9 @@
 """Figure S1 and its data."""
 
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
+
+from figS1.commands import Stress, states
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
-from symmetry import Stress
 
 
 def draw_stress(axes, stress):
@@ -23,9 +24,8 @@ def draw(unloaded, before, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    (point,) = chains["forces"]
-    unloaded, before = Stress(point["unloaded"]), Stress(point["before"])
+def make(results):
+    unloaded, before = Stress(states().unloaded), Stress(states().before)
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]
     write_table(

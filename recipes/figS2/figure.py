@@ -2,17 +2,21 @@
 
 import numpy as np
 import rupture
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, draw_ahead, draw_front_speeds, lettered
+from rupture.figures import save, window_of
+from rupture.plotting import draw_image
+from rupture.reports import values
 
-from measure.tables import values, write_events, write_fronts
+from events import all_simplified
+from figS2.commands import shown
+from measure.conventions import PRIMARY
 from measure.fronts import is_fast_slow
-from report.panels import draw_ahead, draw_front_speeds, draw_image, window_of
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from measure.tables import write_events, write_fronts
 
 SPEEDS = {  # label, colour, marker
     "event": ("slow slip", AS_IT_IS, "o"),
     "no-slow-slip": ("no slow slip", CHANGED, "^"),
 }
-FILES = ("event-record.h5", "without-record.h5")
 
 
 def draw_map(axes, path, front, t_zero, window):
@@ -38,25 +42,25 @@ def draw_speeds(axes, fronts):
 def draw(event, fronts, stem):
     t_zero, window = window_of(fronts["event"])
     fig, panels = lettered("ABC", DOUBLE, 0.36 * DOUBLE)
-    for text, name, file in zip("AC", SPEEDS, FILES):
-        image = draw_map(panels[text], event.file(file), fronts[name], t_zero, window)
+    for text, name, record in zip("AC", SPEEDS, (event.record, event.without_record)):
+        image = draw_map(panels[text], record, fronts[name], t_zero, window)
         panels[text].set_title(SPEEDS[name][0])
     draw_speeds(panels["B"], fronts)
     fig.colorbar(image, ax=panels["C"], label=r"$\tau/p$ (white: front)", aspect=30)
     save(fig, stem)
 
 
-def make(chains, results):
-    [event] = chains["event"]
-    fronts = dict(zip(SPEEDS, (event["front"], event["front_without"])))
+def make(results):
+    event = shown()
+    fronts = dict(zip(SPEEDS, (event.front, event.without[PRIMARY])))
     draw(event, fronts, results / "figS2")
     write_fronts(results / "front-speed.csv", fronts)
     write_events(
         results / "events.csv",
         (
-            point["event"] | {"without": point["front_without"]}
-            for point in chains["ensemble/simplified"]
-            if is_fast_slow(point["event"])
+            of.event | {"without": of.without[PRIMARY]}
+            for of in all_simplified()
+            if is_fast_slow(of.event)
         ),
         {
             "without slow slip": lambda event: event["without"]["type"],

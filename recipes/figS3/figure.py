@@ -1,25 +1,24 @@
 """Figure S3 and its data."""
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
-from claims.paper import MU_D
-from prestress import X_TRIGGER, prescribed, ratio
+from figS3.commands import X_TRIGGER, interfaces, prescribed, ratio
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, ORANGE, SINGLE, figure, save
+from paper import MU_D
 
-SHOWN_SIGMA_BAR = 0.0
+SHOWN_SIGMA_BAR = 0
 COLOURS = {0.2: BLACK, 0.3: BLUE}
 
 
-def draw(points, stem):
+def draw(found, stem):
     fig, axes = figure(SINGLE, 0.65 * SINGLE)
-    for (tau_bar, sigma_bar), point in points.items():
-        if sigma_bar == SHOWN_SIGMA_BAR:
-            stress, colour = point["before"], COLOURS[tau_bar]
-            x = np.array(stress["x"]) * 1e3
-            look = {"markersize": 2.5, "label": rf"$\bar\tau_0 = {tau_bar:g}$"}
-            axes.plot(x, ratio(stress), "o", color=colour, **look)
-            axes.plot(x, prescribed(stress["x"], tau_bar), color=colour, linewidth=0.6)
+    for tau_bar, colour in COLOURS.items():
+        stress = found[tau_bar, SHOWN_SIGMA_BAR].before
+        x = np.array(stress.x) * 1e3
+        look = {"markersize": 2.5, "label": rf"$\bar\tau_0 = {tau_bar:g}$"}
+        axes.plot(x, ratio(stress), "o", color=colour, **look)
+        axes.plot(x, prescribed(stress.x, tau_bar), color=colour, linewidth=0.6)
     axes.plot([], [], color=BLACK, linewidth=0.6, label="prescribed")
     axes.axhline(MU_D, color=BLACK, linewidth=0.6, linestyle=":")
     place = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "ha": "right"}
@@ -31,15 +30,13 @@ def draw(points, stem):
     save(fig, stem)
 
 
-def rows(points):
-    for (tau_bar, sigma_bar), point in points.items():
-        x = point["before"]["x"]
-        for row in zip(x, prescribed(x, tau_bar), ratio(point["before"])):
+def rows(found):
+    for (tau_bar, sigma_bar), of in found.items():
+        for row in zip(of.before.x, prescribed(of.before.x, tau_bar), ratio(of.before)):
             yield [tau_bar, sigma_bar, *row]
 
 
-def make(chains, results):
-    points = {(point["tau-bar"], point["sigma-bar"]): point for point in chains["profiles"]}
-    draw(points, results / "figS3")
+def make(results):
+    draw(interfaces(), results / "figS3")
     names = ["tau_bar_0", "sigma_bar", "x [m]", "prescribed tau_0/p", "tau_0/p"]
-    write_table(results / "profiles.csv", names, rows(points))
+    write_table(results / "profiles.csv", names, rows(interfaces()))

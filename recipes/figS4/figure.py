@@ -2,11 +2,13 @@
 
 import numpy as np
 import rupture
-from junctions import Junctions
+from rupture.figures import DOUBLE, VERMILION, figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale
 
+from figS4.commands import shown
+from figS4.junctions import Junctions
+from measure.conventions import PRIMARY
 from measure.tables import write_table
-from report.panels import draw_pinned, draw_pinned_scale, window_of
-from report.plotting import DOUBLE, VERMILION, figure, letter, save
 
 TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")
 BINS = 30
@@ -63,11 +65,9 @@ def write_phi(path, junctions, phis):
     write_table(path, ["x [m]", "f_thres [N]", "slipping", *names], rows)
 
 
-def make(chains, results):
-    [event], [wider] = chains["fig2/event"], chains["widened"]
-    phis, fronts = [event["phi"], wider["phi_wider"]], [event["front"], wider["front_wider"]]
-    states = event.base, wider.file("wider-start.h5")
-    records = event.file("record.h5"), wider.file("wider-record.h5")
-    junctions = [Junctions(state, phi) for state, phi in zip(states, phis)]
-    draw(records, junctions, fronts, results / "figS4")
+def make(results):
+    of = shown()
+    phis, fronts = [of.phi, of.phi_wider], [of.front, of.wider[PRIMARY]]
+    junctions = [Junctions(state, phi) for state, phi in zip((of.start, of.wider_start), phis)]
+    draw([of.record, of.wider_record], junctions, fronts, results / "figS4")
     write_phi(results / "phi.csv", junctions, phis)

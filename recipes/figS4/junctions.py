@@ -1,17 +1,8 @@
-"""The forces in junctions before and after phi is widened, as the script of a chain:
-
-    widened = script junctions.py {all ../fig4/wider where name == "second-slow"}
-
-Reports the smallest p of Kolmogorov-Smirnov tests that the forces in
-the pinned junctions of a changed block are uniform, and their largest distance from exact
-quantiles, over f_thres. The slipping ones keep their force.
-"""
+"""The forces in junctions before and after phi is widened. The slipping ones keep their force."""
 
 import numpy as np
 import rupture
 from scipy import stats
-
-from chains.results import read_points
 
 REGION = 0.25  # phi was changed from here on, this block included [L]
 
@@ -48,9 +39,10 @@ def beside_widest_uniform(junctions, block):
     return stats.kstest(forces, uniform.cdf).pvalue, distance
 
 
-def main(points):
-    [wider] = read_points(points)
-    junctions = Junctions(wider.file("wider-start.h5"), wider["phi_wider"])
+def beside_uniform(checkpoint):
+    """The smallest p of Kolmogorov-Smirnov tests that the forces in the pinned junctions of a
+    changed block are uniform, and their largest distance from exact quantiles, over f_thres."""
+    junctions = Junctions(checkpoint, rupture.analyze("phi", checkpoint))
     changed = np.flatnonzero(junctions.x_over_L > REGION - 1e-9)
     p, distances = zip(*(beside_widest_uniform(junctions, block) for block in changed))
     return {"p": float(min(p)), "distance": float(max(distances)), "blocks": len(changed)}

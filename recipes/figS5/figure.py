@@ -1,12 +1,12 @@
 """Figure S5 and its data."""
 
 import numpy as np
-from deviation import Strength
-from quadrature import SHAPES, mean_force, sigma_of_unit_width
+from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
-from claims.paper import MU_D, MU_S
+from figS5.commands import strengths
+from figS5.quadrature import SHAPES, mean_force, sigma_of_unit_width
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
+from paper import MU_D, MU_S
 
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average
@@ -74,8 +74,7 @@ def write_tables(results, curves, strengths):
     write_table(results / "displacement.csv", names, points)
 
 
-def make(chains, results):
-    strengths = [Strength(shape, chains["strength"]) for shape in LINES]
+def make(results):
     curves = {(shape, sigma): curve(shape, sigma) for shape in LINES for sigma in DRAWN}
-    draw(curves, strengths, results / "figS5")
-    write_tables(results, curves, strengths)
+    draw(curves, strengths(), results / "figS5")
+    write_tables(results, curves, strengths())

@@ -1,23 +1,21 @@
 """Figure S6 and its data."""
 
 import rupture
+from rupture.figures import AS_IT_IS, BLACK, CHANGED, DOUBLE, draw_ahead, draw_front_speeds
+from rupture.figures import figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
-from measure.tables import write_events, write_fronts
-
-from measure.front_map import load_map
+from events import shown_events
+from figS6.commands import LAW, event, map_of_types
+from measure.conventions import PRIMARY
 from measure.map_panels import write_map
-from report.panels import draw_front_speeds, draw_pinned, draw_pinned_scale, name_line
-from report.panels import draw_ahead, window_of
-from report.plotting import AS_IT_IS, BLACK, CHANGED, DOUBLE, figure, letter, save
+from measure.tables import write_events, write_fronts
 
 RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", CHANGED, "^"),
 }
-MAP = dict(
-    panel="B",
-    slow_below=(20, 8, 10, 30, 40),
-)
+SLOW_BELOW = (20, 8, 10, 30, 40)  # c_s over these
 
 
 def draw_speeds(axes, fronts):
@@ -40,15 +38,12 @@ def draw(record, fronts, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    [event] = chains["event"]
-    of_runs = dict(zip(RUNS, (event["front"], event["front_double"])))
-    draw(event.file("event-record.h5"), of_runs, results / "figS6A")
+def make(results):
+    of_runs = dict(zip(RUNS, (event().front, event().front_double)))
+    draw(event().record, of_runs, results / "figS6A")
     write_fronts(results / "front-speed.csv", of_runs)
-    [load] = chains["events"]
-    events = load["measured"]["events"]
-    spanning = (event for event in events if event["spanning"])
+    spanning = (one for one in shown_events(LAW)[PRIMARY] if one["spanning"])
     in_order = {"fast-slow-fast in words": lambda event: "yes" if event["fast_slow_fast"] else "no"}
     write_events(results / "events.csv", spanning, in_order)
-    fronts, grid = load_map(chains["map"], chains["map_boundary"])
-    write_map(fronts, grid, results, **MAP)
+    of = map_of_types()
+    write_map(of.fronts, of.on_grid(), results, panel="B", slow_below=SLOW_BELOW)

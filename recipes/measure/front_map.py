@@ -1,54 +1,19 @@
-"""Maps of front types over prestress and width of phi, from points of chains (Figures 4 D and S6 B,
-claim geometry).
+"""Maps of front types over prestress and width of phi.
 
-A place is (tau_bar_0, sigma_bar), as numbers; a map is {place: {seed: front}}, with the front that
-`analyze front` reported, or None where no interface can be prepared. It has its types:
-front["types"][way], of WAYS if the chain has a command `types` with `--also map`.
+A place is (tau_bar_0, sigma_bar); a map is {place: {seed: front}}, with the front that `analyze
+front` reported, or None where no interface can be prepared. It has its types: front["types"][way].
 """
 
 from itertools import pairwise
 
 import numpy as np
+from rupture.reports import values
 
-from measure.tables import SLOW_STRETCH, rows_of, values, write_table
 from measure.conventions import PRIMARY
 from measure.fronts import TYPES, type_on_map
+from measure.tables import SLOW_STRETCH, write_table
 
 IMPOSSIBLE = "impossible"
-
-
-# --- reading -------------------------------------------------------------------------------
-
-
-def place_of(row):
-    return float(row["tau-bar"]), float(row["sigma-bar"])
-
-
-def front_of(result):
-    """Returns the front of a point's result; None where no interface can be prepared. One that was
-    prepared and could not be run is an error, not an impossible place."""
-    if "front" not in result:
-        if result.get("checksums"):
-            raise ValueError(f"a prepared interface was not run: {result['sentence']}")
-        return None
-    measured = result.get("types", result["front"])
-    ways = {PRIMARY: measured} | measured.get("under", {})
-    return result["front"] | {"types": {way: found["type"] for way, found in ways.items()}}
-
-
-def read_map(points):
-    """The map of some points, as rows_of() gives them."""
-    fronts: dict[tuple, dict] = {}
-    for row, result in points:
-        fronts.setdefault(place_of(row), {})[int(row["numerics.seed"])] = front_of(result)
-    return fronts
-
-
-def read_variants(points, names):
-    """{variant: map} of points with variants."""
-    return {
-        name: read_map([point for point in points if point[0]["variant"] == name]) for name in names
-    }
 
 
 # --- types ---------------------------------------------------------------------------------
@@ -209,13 +174,7 @@ def map_of_seed(fronts, seed):
     }
 
 
-# --- a whole map of a recipe ---------------------------------------------------------------
-
-
-def load_map(grid, *others):
-    """All fronts of the points of some chains, and those of the regular grid."""
-    fronts = read_map(rows_of(sum(others, grid)))
-    return fronts, {place: {1: fronts[place][1]} for place in read_map(rows_of(grid))}
+# --- tables --------------------------------------------------------------------------------
 
 
 def write_types(path, fronts):

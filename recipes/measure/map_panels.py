@@ -1,15 +1,15 @@
 """How maps of front types are drawn (Figures 4 D and S6 B, claim geometry)."""
 
-import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
+import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 from scipy.interpolate import NearestNDInterpolator
 
 from measure import front_map
 from measure.front_map import TYPES, axes_of, below, types_of, types_of_seeds
 from measure.tables import write_table
-from report.plotting import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
 COLOURS = {"arrested": "#E9E3BC", "slow": "#8CC0E3", "fast": "#E07F4A"}
@@ -120,8 +120,8 @@ def thresholds_compared(fronts, grid, slow_below):
 
 
 def write_map(fronts, grid, results, *, panel, slow_below):
-    """Everything that the recipe writes about its map (load_map()). Slow is below c_s over one of
-    `slow_below`, of which the first is the default."""
+    """Everything that a figure writes about its map, and the regular grid of it. Slow is below c_s
+    over one of `slow_below`, of which the first is the default."""
     thresholds = list(thresholds_compared(fronts, grid, slow_below))
     draw_map(fronts, grid, slow_below, panel, results / f"{results.name}{panel}")
     front_map.write_types(results / "front-types.csv", fronts)

@@ -1,6 +1,7 @@
 """The friction of each block in an event."""
 
 import numpy as np
+import rupture
 
 AFTER = 0.5e-3  # the last rupture [s]; later peaks do not count
 
@@ -17,3 +18,7 @@ def peaks_of(record):
         "t_peak": record.time[np.argmax(ratio, axis=0)].tolist(),
         **{n: [x if np.isfinite(x) else None for x in level] for n, level in levels.items()},
     }
+
+
+def peaks_of_record(path):
+    return peaks_of(rupture.open(path))

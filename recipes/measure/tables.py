@@ -1,13 +1,8 @@
-"""CSV tables with one line of names: those that the figures write and read again, as columns, and
-those of sweeps (collect.py), as rows whose cells may be empty."""
+"""CSV tables with one line of names, which figures write and read again; columns of rows."""
 
 import csv
-from pathlib import Path
 
 import numpy as np
-
-from chains.chain import is_expression
-from chains.expressions import as_text
 from rupture.replacing import replacing
 
 SLOW_STRETCH = {  # name in a report: for readers
@@ -80,33 +75,7 @@ def read_rows(path):
         return list(csv.DictReader(file))
 
 
-def rows_of(points):
-    """Points of chains (chains/results.py) as pairs: a row, which has the values as they are
-    written, the status, the name of the point and the type of its front; and all that was measured.
-    Both are also those of the points that it comes from."""
-    return [pair_of(point) for point in points]
-
-
-def pair_of(point):
-    texts: dict = {}
-    measured: dict = {}
-    sums: dict = {}
-    for one, result in zip(reversed(point.lineage), reversed(point.results)):
-        texts |= one["values"]
-        measured |= result["reports"]
-        sums |= result["checksums"]
-    row = {n: as_text(point[n]) if is_expression(t) else t for n, t in texts.items()}
-    row |= {"status": point.status, "point": Path(point.lineage[0]["path"]).stem}
-    row["type"] = next((of["type"] for of in measured.values() if of and "type" in of), "")
-    return row, measured | {"sentence": point.sentence, "checksums": sums}
-
-
 def numbers(rows, column):
     """One column of such rows; NaN where it is empty."""
     cells = (row.get(column) for row in rows)
     return np.array([np.nan if cell in (None, "") else float(cell) for cell in cells])
-
-
-def values(numbers):
-    """A list from a report as an array, NaN where it says null."""
-    return np.array([np.nan if number is None else number for number in numbers])

@@ -5,6 +5,7 @@ versions, commands and times as RO-Crate 1.1 (https://w3id.org/ro/crate/1.1). Pa
 results/, so that the folder may be copied alone. Equal results give equal texts, except for dates.
 """
 
+import configparser
 import hashlib
 import json
 import sys
@@ -16,13 +17,14 @@ from urllib.parse import quote
 
 import yaml
 
-from chains.ini import new_ini
-from measure.tables import read_table
-from reproduce.written import take
+from claims.recipes import paper_of, read_readme, recipe_names
+from claims.released import version_of
+from claims.table import read
+from report.jobs import JOBS, builds_of, files_of, read_jobs
+from report.written import take
+from rupture.commands.store import place_of
 from rupture.errors import Failure
 from rupture.replacing import write_whole
-from report.origin import Accounts, builds, checksums, version_of
-from reproduce.recipes import read_readme, recipe_names
 
 CITATION = Path(__file__).resolve().parents[2] / "CITATION.cff"
 CRATE = "ro-crate-metadata.json"
@@ -31,15 +33,13 @@ CONTEXT = [f"{SPECIFICATION}/context", {"sha256": "http://schema.org/sha256"}]
 SOFTWARE = "#rupture"
 FORMATS = MimeTypes()  # Python's own table, whatever the machine has
 FORMATS.types_map[True][".jsonl"] = "application/jsonl"
-# Files of the whole run, with what they are. Those that hold times have no checksum here, the
-# pictures have one instead.
-OF_THE_RUN: dict[str, str | None] = {
+# What files are that hold times, and so have no checksum here.
+WITH_TIMES = {
     "index.html": "All figures and claims on one page",
-    "jobs.jsonl": "Each job that was run: rule, command, inputs, outputs, start and time",
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
-    "numbers.csv": "The paper's numbers beside ours",
-    **dict.fromkeys(("claims.pdf", "claims.png")),
+    JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
+OF_THE_RUN = ("index.html", "runs.jsonl", "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):
@@ -68,11 +68,13 @@ def moment(seconds):
 # --- the programs and the paper ------------------------------------------------------------
 
 
+def article(paper):
+    return entity(paper["url"], "ScholarlyArticle", name=paper["title"])
+
+
 def software():
     """With its licence and the paper, from CITATION.cff."""
     cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
-    paper = cited["references"][0]
-    article = entity(paper["url"], "ScholarlyArticle", name=paper["title"])
     licence = entity(
         f"https://spdx.org/licenses/{cited['license']}",
         "CreativeWork",
@@ -92,12 +94,12 @@ def software():
             for one in cited["authors"]
         ],
         license=licence,
-        citation=article,
+        citation=article(cited["references"][0]),
     )
 
 
 def program(number, text):
-    """`text` is that of origin.builds()."""
+    """`text` is that of builds_of()."""
     return entity(
         f"#programs-{number}",
         "SoftwareApplication",
@@ -117,16 +119,11 @@ def file_entity(results, path, **properties):
 
 
 def whole_file(results, path):
+    if path.name in WITH_TIMES:
+        return file_entity(results, path, description=WITH_TIMES[path.name])
     content = path.read_bytes()
     digest = hashlib.sha256(content).hexdigest()
     return file_entity(results, path, contentSize=str(len(content)), sha256=digest)
-
-
-def points_of(folder):
-    """The results of the points in the table of a user's sweep."""
-    table = folder / f"{folder.name}.csv"
-    names = read_table(table)["point"] if table.exists() else ()
-    return [f"results/data/points/{name}.json" for name in names]
 
 
 def described(root, name):
@@ -134,71 +131,72 @@ def described(root, name):
     if not name.startswith("sweeps/"):
         readme = read_readme(root / "recipes" / name / "README.md")
         return readme.title, readme.commands, f"./reproduce.sh {name}"
-    stem, ini = name.removeprefix("sweeps/"), new_ini()
+    stem = name.removeprefix("sweeps/")
+    ini = configparser.RawConfigParser(delimiters="=", inline_comment_prefixes="#;")
+    ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
     ini.read(root / "results" / name / f"{stem}.ini", encoding="utf-8")
     lines = [f"{key} = {line}" for key, line in ini["commands"].items()]
     title = ini.get("sweep", "title", fallback=stem)
     return title, "\n".join(lines), f"./reproduce.sh sweep {stem}.ini"
 
 
-def run_of(root, name, accounts, source, built):
+def checkpoints_of(results, jobs):
+    """Those that the store keeps, and records, by the checksums of their content."""
+    places = ((results / "store" / place_of(own, name), sum) for own, name, sum in files_of(jobs))
+    return [
+        file_entity(results, path, identifier=f"content-sha256:{checksum}")
+        for path, checksum in places
+        if path.exists()
+    ]
+
+
+def run_of(root, name, source, built):
     """A recipe or sweep that has results: what they were made from, and its folder. `built` are
-    programs by the texts of origin.builds()."""
+    programs by the texts of builds_of()."""
     results = root / "results"
-    behind = accounts.files_behind(name, points_of(results / name) if "sweeps/" in name else ())
     title, commands, typed = described(root, name)
     paths = sorted(path for path in (results / name).glob("[!.]*") if path.is_file())
     files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
-    checkpoints = [  # and records, by the checksums of their content
-        file_entity(results, results / "data" / each, identifier=f"content-sha256:{checksum}")
-        for each, checksum in checksums(root, behind)
-        if (results / "data" / each).exists()
-    ]
+    jobs = read_jobs(results / name)
     programs = [
-        built.setdefault(text, program(len(built) + 1, text))
-        for text, _ in sorted(builds(root, behind))
+        built.setdefault(text, program(len(built) + 1, text)) for text, _ in sorted(builds_of(jobs))
     ]
-    jobs = accounts.jobs(behind)
+    times = [(job["started"], job["started"] + job["seconds"]) for job in jobs if "started" in job]
     return entity(
         f"#run-{quote(name)}",
         "CreateAction",
         name=typed,
         description=commands,
-        startTime=jobs and moment(jobs[0]["started"]),
-        endTime=jobs and moment(max(job["started"] + job["seconds"] for job in jobs)),
+        startTime=times and moment(min(begin for begin, _ in times)),
+        endTime=times and moment(max(end for _, end in times)),
         instrument=[source, *programs],
-        object=checkpoints,
+        object=checkpoints_of(results, jobs),
         result=[entity(f"{quote(name)}/", "Dataset", name=title, hasPart=files), *files],
     )
 
 
 def crate(root, now):
     """The JSON-LD: a flat list of entities."""
-    results, source, accounts = root / "results", software(), Accounts(root)
-    sweeps = sorted(path.parent.name for path in results.glob("sweeps/*/*.ini"))
-    names = [*recipe_names(root), *(f"sweeps/{name}" for name in sweeps)]
-    names = [name for name in names if (results / name).is_dir()]
+    results, source = root / "results", software()
+    sweeps = sorted(f"sweeps/{path.parent.name}" for path in results.glob("sweeps/*/*.ini"))
+    recipes = [name for name in recipe_names(root) if (results / name).is_dir()]
     built: dict[str, dict] = {}
-    runs = [run_of(root, name, accounts, source, built) for name in names]
+    runs = [run_of(root, name, source, built) for name in (*recipes, *sweeps)]
     folders = [run["result"][0] for run in runs]
     if checkpoints := {each["@id"]: each for run in runs for each in run["object"]}:
         title = "Checkpoints and records, with the checksums of their content"
-        folders.append(entity("data/", "Dataset", name=title, hasPart=[*checkpoints.values()]))
-    files = [
-        file_entity(results, path, description=text) if text else whole_file(results, path)
-        for name, text in OF_THE_RUN.items()
-        if (path := results / name).exists()
-    ]
+        folders.append(entity("store/", "Dataset", name=title, hasPart=[*checkpoints.values()]))
+    paths = (results / name for name in OF_THE_RUN)
     top = entity(
         "./",
         "Dataset",
         name=f"Results of {source['name']}",
         description="Figures, claims with their verdicts, and checkpoints, as ./reproduce.sh"
-        " computed them to compare with the paper.",
+        " computed them to compare with papers.",
         datePublished=moment(now),
         license=source["license"],
-        citation=source["citation"],
-        hasPart=folders + files,
+        citation=[article(read(paper)[0]) for paper in dict.fromkeys(map(paper_of, recipes))],
+        hasPart=folders + [whole_file(results, path) for path in paths if path.exists()],
         mentions=runs,
     )
     graph: dict[str, dict] = {}

@@ -5,9 +5,11 @@ import re
 from collections import Counter
 
 from claims.claim import DOES_NOT_HOLD, HOLDS
-from claims.judge import PRIMARY, needed, row_of
-from report.plotting import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
-from reproduce.recipes import label
+from claims.judge import needed
+from claims.table import row_of
+from measure.conventions import PRIMARY
+from claims.recipes import label
+from rupture.figures import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
 SEEN = (

@@ -12,23 +12,25 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.caption import as_html, filled, of_files, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_results
-from claims.judge import read, table
+from claims.table import read, table
 from claims.own_result import read_own
-from claims.released import released
+from claims.released import released, version_of
 from rupture.replacing import write_whole
 from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
+from report import jobs as of_jobs
 from report import origin
-from reproduce.recipes import label, natural, paper_of, read_readme, recipe_names
+from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
-from reproduce.written import take
+from report.written import take
 from report.symbols import typeset
 
 HERE = Path(__file__).resolve().parent
 WRITTEN = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
 MANY = 12  # commands of a step, beyond which only their number is of interest
 MANY_SUMS = 100  # checksums
+COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
@@ -54,7 +56,7 @@ def files_of(folder, pattern):
 class Recipe:
     """A recipe with results, for its section; `shown` are all recipes that have a section."""
 
-    def __init__(self, root, name, shown, accounts):
+    def __init__(self, root, name, shown):
         folder = root / "results" / name
         readme = read_readme(root / "recipes" / name / "README.md")
         self.name = folder.name  # beside the page
@@ -70,8 +72,9 @@ class Recipe:
             for path in files_of(folder, "*.png")
         ]
         self.tables = [path.name for path in files_of(folder, "*.csv")]
-        files = accounts.files_behind(name)
-        self.jobs, self.sums = accounts.jobs(files), origin.checksums(root, files)
+        self.accounts = [name for name in (COMMANDS, of_jobs.JOBS) if name in there]
+        self.jobs = of_jobs.read_jobs(folder)
+        self.sums = of_jobs.files_of(self.jobs)
 
 
 def rows_of(recipes, table):
@@ -117,15 +120,15 @@ def in_words(claims):
 
 
 def contents(root, paper):
-    accounts, results = origin.Accounts(root), root / "results" / paper
+    results = root / "results" / paper
     names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
     names = [name for name in names if paper_of(name) == paper]
     shown = [Path(name).name for name in names]
-    recipes = [Recipe(root, name, shown, accounts) for name in names]
+    recipes = [Recipe(root, name, shown) for name in names]
     rows = rows_of(recipes, table(paper))
     claims = [claim for _, claim in rows]
-    files = set().union(*(accounts.files_behind(name) for name in names))
-    jobs, builds = accounts.jobs(files), origin.builds(root, files)
+    jobs = [*{job["id"]: job for recipe in recipes for job in recipe.jobs}.values()]
+    builds = of_jobs.builds_of(jobs)
     verdicts = (root / "docs/claims.md").read_text(encoding="utf-8").partition("\n")[2]
     if paper:  # what follows is about the claims of the first one
         verdicts = verdicts.partition("## When ")[0]
@@ -145,6 +148,7 @@ def contents(root, paper):
         "glance": glance_picture(results, claims),
         "verdicts": as_html(verdicts, shown),
         "jobs": jobs,
+        "last": max((job.get("started", 0) for job in jobs), default=0),
         "run": origin.last_run(root, jobs),
         "builds": builds,
         "build": origin.present_build(),
@@ -164,7 +168,8 @@ def render(content):
         date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
         duration=duration,
         number=number,
-        steps=origin.steps,
+        seconds_of=of_jobs.seconds_of,
+        steps=of_jobs.steps,
         typeset=typeset,
     )
     environment.globals.update(SMALL=SMALL, MANY=MANY, MANY_SUMS=MANY_SUMS)
@@ -194,7 +199,7 @@ def main(folder="."):
             own = [result for recipe in content["recipes"] for result in recipe.own]
             claims = [claim for _, claim in content["rows"]]
             main_build = next((build for build, _ in content["builds"]), "")  # of most records
-            version = origin.version_of(main_build)
+            version = version_of(main_build)
             update_readme(root, claims, own, content["numbers"], version)
         for paper in papers:
             print(f"Report: {results / paper / 'index.html'}", flush=True)

@@ -1,21 +1,16 @@
 """Fronts under the distance law, a result of our own."""
 
 import numpy as np
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from rupture.reports import values
 
 from claims.own_result import OwnResult, write_own
-from measure.tables import rows_of, values
-from measure.bands import bands_of, width
-from measure.front_map import TYPES, axes_of, band, read_variants, types_of, write_variants
+from maps import width
+from measure.front_map import TYPES, axes_of, band, types_of, write_variants
 from measure.map_panels import draw_key, draw_regions
-from report.plotting import AS_IT_IS, CHANGED, DOUBLE, lettered, save
+from robustness.commands import distance_bands, distance_event, distance_maps
 
-LENGTH = "junctions.d_R"
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
-
-
-def named(length):
-    """As in TITLES; of a length in m, as a number or a text."""
-    return f"d_R {1e6 * float(length):g} um"
 
 
 def measured_event(unmodified, continued):
@@ -82,16 +77,8 @@ def draw(maps, fronts, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    points = [
-        (row | {"variant": named(row[LENGTH])}, result)
-        for row, result in rows_of(chains["distance"])
-    ]
-    maps = read_variants(points, TITLES)
-    [event] = chains["event"]
-    fronts = {"by time": event["front"], "by distance": event["front_distance"]}
-    draw(maps, fronts, results / "distance")
+def make(results):
+    maps, (as_it_is, changed) = distance_maps(), distance_event()
+    draw(maps, {"by time": as_it_is, "by distance": changed}, results / "distance")
     write_variants(results / "distance.csv", maps)
-    changed = {name: [p for p in chains["edges"] if named(p[LENGTH]) == name] for name in maps}
-    edges = {name: bands_of(points, chains["fig3/edges"]) for name, points in changed.items()}
-    write_own(results, [own_result(maps, edges, *fronts.values())])
+    write_own(results, [own_result(maps, distance_bands(), as_it_is, changed)])

@@ -1,15 +1,18 @@
 """Exponential slipping times: events and map of front types; other geometries and the distance law
 are in the modules beside this one."""
 
-import distance
-import geometry
 import numpy as np
+from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, save
+from rupture.reports import values
 
-from measure.tables import rows_of, values, write_events
+from events import shown_events
+from measure.conventions import PRIMARY
+from measure.front_map import types_of, write_types
 from measure.fronts import is_fast_only
-from measure.front_map import read_map, types_of, write_types
 from measure.map_panels import draw_regions, name_regions
-from report.plotting import DOUBLE, FAST, SINGLE, SLOW, figure, save
+from measure.tables import write_events
+from robustness import distance, geometry
+from robustness.commands import exponential_map
 
 
 def draw(events, stem):
@@ -28,19 +31,17 @@ def draw(events, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    [shown] = chains["ensemble/shown_events"]
-    events = shown["measured"]["events"]
-    spanning = [event for event in events if event["spanning"]]
+def make(results):
+    spanning = [event for event in shown_events("exponential")[PRIMARY] if event["spanning"]]
     draw(spanning, results / "exponential")
     write_events(
         results / "exponential-events.csv", spanning, {"type": lambda event: event["type"]}
     )
-    fronts = read_map(rows_of(chains["exponential_map"]))
+    fronts = exponential_map()
     fig, axes = figure(SINGLE, 0.85 * SINGLE)
     draw_regions(axes, types := types_of(fronts), types)
     name_regions(axes, types)
     save(fig, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
-    distance.make(chains, results)
-    geometry.make(chains, results)
+    distance.make(results)
+    geometry.make(results)

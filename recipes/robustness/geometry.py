@@ -1,10 +1,10 @@
 """Maps of front types for other lengths and nucleation energies."""
 
-from measure.tables import rows_of
-from measure import front_map
-from measure.front_map import types_of
+from rupture.figures import DOUBLE, lettered, save
+
+from measure.front_map import types_of, write_variants
 from measure.map_panels import draw_key, draw_regions
-from report.plotting import DOUBLE, lettered, save
+from robustness.commands import geometry
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",
@@ -24,8 +24,6 @@ def draw(maps, stem):
     save(fig, stem)
 
 
-def make(chains, results):
-    points = [*chains["geometry"], *chains["geometry_seeds"]]
-    maps = front_map.read_variants(rows_of(points), TITLES)
-    draw(maps, results / "geometry")
-    front_map.write_variants(results / "geometry.csv", maps)
+def make(results):
+    draw(geometry(), results / "geometry")
+    write_variants(results / "geometry.csv", geometry())

@@ -5,15 +5,16 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
-from front_slip import FRONT, SLIP, exponent, pairs_of, smoothed, spanning, transient
+from rupture.figures import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 from scipy.stats import spearmanr
 
 from claims.own_result import compared, write_own
-from measure.tables import numbers, rows_of, write_columns
-from report.plotting import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
+from measure.tables import numbers, write_columns
+from speeds.commands import fronts, histories
+from speeds.front_slip import FRONT, SLIP, exponent, pairs_of, smoothed, transient
 
 # Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
-KINDS = {"fast": "0.3", "slow": "0.1"}
+KINDS = {"fast": 0.3, "slow": 0.1}
 SPEEDS = {"fronts": FRONT, "slip": SLIP}
 VARIED = {"M": ("mass", "slider.M", 1), "eta": ("damping", "slider.damping", 2)}
 LENGTHS = {"prestress": ("", VERMILION), "long": (", slider twice as long", BLUE)}
@@ -114,16 +115,14 @@ def draw_strength(axes, rows):
     axes.set(xlabel="Gini coefficient of the slip", ylabel=r"$\bar\mu_s^\mathrm{eff}$")
 
 
-def make(chains, results):
-    points = spanning(rows_of(chains["fronts"]))
-    pairs = list(pairs_of(points))
+def make(results):
+    pairs = list(pairs_of(fronts()))
     homogeneous = [
-        row | {LENGTH: transient(of["front"]), "front": of["front"]}
-        for row, of in points
+        row | {LENGTH: transient(front), "front": front}
+        for row, front, _ in fronts()
         if row["variant"] in LENGTHS
     ]
-    (point,) = chains["history"]
-    blocks = point["history"]["rows"]
+    blocks = histories()
     near = select(pairs, **{"x [m]": 0.055})
     measured = {
         "proportional": proportional(select(pairs, variant="prestress")),
@@ -139,10 +138,9 @@ def make(chains, results):
     fig, panels = lettered("AB;CD", DOUBLE, 0.75 * DOUBLE)
     draw_pairs(panels["A"], select(pairs, variant="prestress"))
     draw_exponents(panels["B"], own["inertia"])
-    draw_transients(panels["C"], select(homogeneous, **{"sigma-bar": "0.1"}))
+    draw_transients(panels["C"], select(homogeneous, **{"sigma-bar": 0.1}))
     draw_strength(panels["D"], blocks)
     save(fig, results / "speeds")
     write_columns(results / "speeds.csv", [*NAMES, "x [m]", FRONT, SLIP], pairs)
     write_columns(results / "transients.csv", [*NAMES, LENGTH], homogeneous)
     write_columns(results / "gini.csv", list(blocks[0]), blocks)
-    return []

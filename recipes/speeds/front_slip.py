@@ -1,14 +1,13 @@
-"""Slip and fronts on prepared interfaces, as points of fronts.ini report them."""
+"""Slip and fronts on prepared interfaces."""
 
 import numpy as np
+from rupture.reports import values
 
-from measure.tables import numbers, values
-from measure.fronts import front_spans
+from measure.tables import numbers
 
 SLIPPED = 1e-6  # [m], about f_thres/k_ij
 X_TRIGGER = 0.0225  # [m]
 FINAL, OFF = (0.7, 0.9), 0.2  # where a front has its final speed [L]; relative
-FOLLOWED = ("slip_1", "slip_2", "slip_3", "slip_4")
 FRONT, SLIP = "front speed [m/s]", "slip speed [m/s]"
 
 
@@ -20,16 +19,11 @@ def slip_speed(slip):
     return SLIPPED / (reached - start)
 
 
-def spanning(points):
-    """(row, report) of the points whose front spans."""
-    return [point for point in points if "front" in point[1] and front_spans(point[1]["front"])]
-
-
-def pairs_of(points):
+def pairs_of(fronts):
     """A row for each block that was followed, with the speed of the front that passed it."""
-    for row, found in points:
-        x, v_c = found["front"]["x"], values(found["front"]["v_c"])
-        for slip in (found[name] for name in FOLLOWED):
+    for row, front, slips in fronts:
+        x, v_c = front["x"], values(front["v_c"])
+        for slip in slips:
             pair = {"x [m]": slip["x"], FRONT: v_c[x.index(slip["x"])], SLIP: slip_speed(slip)}
             if pair[FRONT] > 0 and pair[SLIP] > 0:
                 yield row | pair

@@ -1,18 +1,9 @@
-"""How unevenly the blocks of loads slipped after they ruptured, and how strong that left them:
-
-    history = script slip_history.py {all loads}
-
-reports `rows`, one for each block and rupture, measured at the first checkpoint that is BINNED
-later, if the block has not ruptured again by then.
-"""
+"""How unevenly the blocks of a load slipped after they ruptured, and how strong that left them."""
 
 import numpy as np
 import rupture
+from rupture.reports import LOADING_ZONE
 
-from chains.results import read_points
-from measure.fronts import LOADING_ZONE
-
-CHECKPOINTS = [f"load-t{n / 20:.9f}.h5" for n in range(1, 25)]  # of loads.ini
 BINNED, BINS = 10e-3, 10  # after the rupture [s]: 5 <t_R>, so that a bin is <t_R>/2
 
 
@@ -29,10 +20,10 @@ def slip_in_bins(time, u_x, since):
     return np.clip(np.diff(np.interp(edges, time, u_x)), 0, None)
 
 
-def rows_of(load):
-    record = rupture.open(load.file("record.h5"))
-    ruptures, u_x, before = record.ruptures, record["u_x"], -np.inf
-    for path in map(load.file, CHECKPOINTS):
+def rows_of(record, checkpoints):
+    record, before = rupture.open(record), -np.inf
+    ruptures, u_x = record.ruptures, record["u_x"]
+    for path in checkpoints:
         now, strength = rupture.open(path).time, rupture.analyze("strength", path)["mu_bar_eff"]
         past = ruptures.time <= now
         last = dict(zip(ruptures.block[past], ruptures.time[past]))
@@ -40,7 +31,6 @@ def rows_of(load):
             if record.x[block] >= LOADING_ZONE and before < since + BINNED <= now:
                 slip = slip_in_bins(record.time, u_x[:, block], since)
                 yield {
-                    "load": int(load["numerics.seed"]),
                     "x [m]": record.x[block],
                     "ruptured at [s]": since,
                     "slip [m]": slip.sum(),
@@ -51,5 +41,7 @@ def rows_of(load):
         before = now
 
 
-def main(loads):
-    return {"rows": [row for load in read_points(loads) for row in rows_of(load)]}
+def history_of(record, *checkpoints):
+    """A row for each block and rupture, measured at the first checkpoint that is BINNED later, if
+    the block has not ruptured again by then."""
+    return [*rows_of(record, checkpoints)]

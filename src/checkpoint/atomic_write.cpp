@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_writing(const fs::path& path) {
-  fail("cannot write {}: {}", path.string(), std::strerror(errno));
+  throw MachineFailure("cannot write {}: {}", path.string(), std::strerror(errno));
 }
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
@@ -166,7 +166,7 @@ void remove_durably(const fs::path& path) {
   if (::unlink(path.c_str()) == 0) {
     sync_folder_of(path);
   } else if (errno != ENOENT) {
-    fail("cannot remove {}: {}", path.string(), std::strerror(errno));
+    throw MachineFailure("cannot remove {}: {}", path.string(), std::strerror(errno));
   }
 }
 

@@ -13,6 +13,15 @@ template <class... Args>
   throw Failure(format, std::forward<Args>(values)...);
 }
 
+/// Throws what `failure` is, with another message.
+template <class... Args>
+[[noreturn]] void fail_like(const Failure& failure, fmt::format_string<Args...> format,
+                            Args&&... values) {
+  const std::string message = fmt::format(format, std::forward<Args>(values)...);
+  if (dynamic_cast<const MachineFailure*>(&failure) != nullptr) throw MachineFailure(message);
+  throw Failure(message);
+}
+
 /// Puts the name of the file in front of what goes wrong in `work`.
 auto naming(const std::filesystem::path& path, const auto& work) {
   try {
@@ -20,7 +29,7 @@ auto naming(const std::filesystem::path& path, const auto& work) {
   } catch (const Unreadable& failure) {
     throw Unreadable("{}: {}", path.string(), failure.what());
   } catch (const Failure& failure) {
-    fail("{}: {}", path.string(), failure.what());
+    fail_like(failure, "{}: {}", path.string(), failure.what());
   }
 }
 

@@ -117,8 +117,9 @@ void check_place(const fs::path& path) {
   const uid_t user = ::geteuid();
   const bool may_replace = user == 0 || user == file.st_uid || user == folder.st_uid;
   if (may_replace || (folder.st_mode & S_ISVTX) == 0) return;
-  fail("{} is of another user, who alone may replace it in this sticky folder; give another path",
-       path.string());
+  throw MachineFailure(
+      "{} is of another user, who alone may replace it in this sticky folder; give another path",
+      path.string());
 }
 
 // What can be told of a file whose header does not fit, and is found out in a child process.
@@ -198,11 +199,12 @@ void check_output(const fs::path& path, IfExists if_exists) {
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
     const std::string name = folder == "." ? "the current folder" : folder.string();
-    const std::string reason = errno == EACCES ? "no write permission in " + name
-                               : errno == ENOENT || errno == ENOTDIR
-                                   ? name + " is not an existing folder"
-                                   : name + ": " + std::strerror(errno);
-    fail("cannot write {}: {}; give another path", path.string(), reason);
+    if (errno == ENOENT || errno == ENOTDIR) {
+      fail("cannot write {}: {} is not an existing folder; give another path", path.string(), name);
+    }
+    const std::string reason =
+        errno == EACCES ? "no write permission in " + name : name + ": " + std::strerror(errno);
+    throw MachineFailure("cannot write {}: {}; give another path", path.string(), reason);
   }
   // The longest name that will be written: with another, a run would be lost at its end.
   if (::lstat(temporary_path(sum).c_str(), &info) != 0 && errno != ENOENT) {
@@ -225,7 +227,7 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
   } catch (const Failure& failure) {
     const std::string kept = file.keep();
     if (kept.empty()) throw;
-    fail("{}; the result is kept as {}", failure.what(), kept);
+    fail_like(failure, "{}; the result is kept as {}", failure.what(), kept);
   }
   return sealed.checksum;
 }
@@ -263,7 +265,7 @@ EditedFile read_edited(const fs::path& path) {
     fail("{}: {}; it is damaged or not an HDF5 file: copy it again or recreate it", name,
          failure.what());
   } catch (const Failure& failure) {
-    fail("{}: {}", name, failure.what());
+    fail_like(failure, "{}: {}", name, failure.what());
   }
 }
 

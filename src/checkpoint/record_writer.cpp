@@ -170,8 +170,10 @@ void RecordWriter::flush() {
     part_->append(piece_of(part, piece));  // if this fails, the next one has the rows
   } catch (const Failure& failure) {
     if (!part_has_samples_) throw;
-    fail("{}; what was recorded before is kept: rupture finish {} -o NEW.h5 makes a record of it",
-         failure.what(), part);
+    fail_like(
+        failure,
+        "{}; what was recorded before is kept: rupture finish {} -o NEW.h5 makes a record of it",
+        failure.what(), part);
   }
   part_has_samples_ = true;
   for (auto& [path, dataset] : rows_) {

@@ -222,7 +222,7 @@ def check_ended(scenario, outcome, files, error):
         assert scenario.is_done(files), "not all is written"
         return
     tool, said = scenario.command.split()[0], outcome.stderr
-    assert outcome.returncode == 1, f"exit code {outcome.returncode}"
+    assert outcome.returncode == 3, f"exit code {outcome.returncode}"
     assert re.fullmatch(rf"{tool}: [^\n]*{re.escape(os.strerror(error))}[^\n]*\n", said), said
     named = any(name.removesuffix(".sum") in said for name in scenario.new)
     assert named, f"no file is named: {said!r}"

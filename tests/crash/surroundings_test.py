@@ -90,8 +90,8 @@ def whole():
         ("| true", (128 + signal.SIGPIPE, "")),
         ("2>&-", (0, "")),
         ("<&- 2>&-", (0, "")),
-        (">&-", (1, "load: cannot write to standard output\n")),
-        ("<&- >&- 2>&-", (1, "")),
+        (">&-", (3, "load: cannot write to standard output\n")),
+        ("<&- >&- 2>&-", (3, "")),
     ],
 )
 def test_a_stream_that_is_closed_or_has_no_reader_costs_no_file(redirections, end, whole):

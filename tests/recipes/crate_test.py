@@ -7,13 +7,12 @@ import tomllib
 from hashlib import sha256
 from urllib.parse import unquote
 
-import h5py
 import pytest
 import yaml
 
 from conftest import ROOT
 from report.crate import CRATE, crate
-from fixture import Project, png, spill
+from fixture import BUILD, Project, png, spill
 
 CITED = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
 [PAPER] = CITED["references"]
@@ -22,26 +21,27 @@ SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 NOW, PUBLISHED = 1.75e9, "2025-06-15T15:06:40+00:00"
 LICENCE = "https://spdx.org/licenses/MIT"
 FILES = ("a%20b%23.csv", "claims.json", "fig3.pdf", "fig3.png", "front.csv")
+FILES += ("jobs.jsonl",)
 SAYS = [  # an entity, and what it has
     (CRATE, {"@type": "CreativeWork", "conformsTo": {"@id": SPECIFICATION}}),
     (CRATE, {"about": {"@id": "./"}}),
     ("./", {"@type": "Dataset", "datePublished": PUBLISHED, "license": {"@id": LICENCE}}),
-    ("./", {"citation": {"@id": PAPER["url"]}, "name": f"Results of {CITED['title']}"}),
+    ("./", {"citation": [{"@id": PAPER["url"]}], "name": f"Results of {CITED['title']}"}),
     (LICENCE, {"name": "MIT License"}),
     ("fig3/a%20b%23.csv", {"name": "a b#.csv", "encodingFormat": "text/csv"}),
     ("fig3/front.csv", {"sha256": sha256(b"x\n").hexdigest(), "contentSize": "2"}),
     ("fig3/fig3.pdf", {"sha256": sha256(b"%PDF").hexdigest(), "contentSize": "4"}),
     ("fig3/fig3.png", {"sha256": sha256(png(210, 80)).hexdigest(), "encodingFormat": "image/png"}),
-    ("data/points/load.h5", {"identifier": "content-sha256:5eed5eed"}),
+    ("store/ab/ab12.load.h5", {"identifier": "content-sha256:5eed5eed"}),
     ("#run-fig3", {"@type": "CreateAction", "name": "./reproduce.sh fig3"}),
     ("#run-fig3", {"description": "load -o fig3.h5 --until 1.2\nanalyze front fig3.h5"}),
     ("#run-fig3", {"startTime": "2023-11-14T22:13:20+00:00"}),
     ("#run-fig3", {"endTime": "2023-11-14T22:14:21+00:00"}),
     ("#run-fig3", {"instrument": [{"@id": "#rupture"}, {"@id": "#programs-1"}]}),
-    ("#run-fig3", {"object": [{"@id": "data/points/load.h5"}]}),
+    ("#run-fig3", {"object": [{"@id": "store/ab/ab12.load.h5"}]}),
     ("#run-fig3", {"result": [{"@id": f"fig3/{name}"} for name in ("", *FILES)]}),
     ("#programs-1", {"@type": "SoftwareApplication", "version": "0.9.0"}),
-    ("#programs-1", {"description": "rupture 0.9.0, commit abc, gcc 12"}),
+    ("#programs-1", {"description": BUILD}),
     ("#rupture", {"@type": "SoftwareSourceCode", "name": CITED["title"]}),
     ("#rupture", {name: CITED[name] for name in ("version", "keywords")}),
     ("#rupture", {"description": CITED["abstract"], "author": [{"@id": "#The-rupture-authors"}]}),
@@ -59,9 +59,6 @@ def make(root):
     project = Project(root)
     project.make_recipes()
     project.make_accounts()
-    with h5py.File(project.results / "data/points/load.h5", "w") as file:
-        for name, text in (("version", "0.9.0"), ("commit", "abc"), ("compiler", "gcc 12")):
-            file[f"provenance/0/{name}"] = text
     spill(project.page, "<p>")
     spill(project.results / "fig3/a b#.csv", "x\n")
     return project
@@ -120,17 +117,14 @@ def test_files_and_folders_exist_and_belong_to_the_root(project):
 
 def test_checkpoints_and_recipes_without_files_are_left_out(project):
     assert "#run-fig5" not in graph(project)
-    (project.results / "data/points/load.h5").unlink()
-    assert not [name for name in graph(project) if name.startswith("data/")]
+    (project.results / "store/ab/ab12.load.h5").unlink()
+    assert not [name for name in graph(project) if name.startswith("store/")]
 
 
 def test_equal_results_of_another_time_and_place_differ_in_dates_only(project, tmp_path):
     other = make(tmp_path / "with a space")
-    jobs = other.results / "jobs.jsonl"
-    jobs.write_text(jobs.read_text().replace('"started": 17', '"started": 18'))
-    (other.results / "data/points/load.h5").write_bytes(
-        (project.results / "data/points/load.h5").read_bytes()
-    )
+    for jobs in other.results.glob("*/jobs.jsonl"):
+        jobs.write_text(jobs.read_text().replace('"started": 17', '"started": 18'))
     spill(other.page, "<p>later")
     first, later = graph(project), graph(other, NOW + 1e6)
     assert first != later

@@ -8,14 +8,16 @@ from types import SimpleNamespace
 
 from PIL import Image
 
-from claims.judge import table
+from claims.table import table
 from conftest import ROOT
+from report.jobs import write_jobs
 from report.page import main
 
 NOT_RUN = ("5A", "5B", "no-slip-force-driven")  # the fixture has no results of their recipe
 JUDGED = [claim_id for claim_id in table() if claim_id not in NOT_RUN]
 START = 1.7e9  # [s] since 1970
 POINTS = 1200
+BUILD = "rupture 0.9.0, commit abc"
 
 README = """# Title of {name} & <more>
 
@@ -73,6 +75,12 @@ def results_of(claims):
     return {"schema": 2, "claims": claims, "numbers": numbers, "builds": []}
 
 
+def job(own, command, started, seconds, **build):
+    """What is known of a command."""
+    known = {"id": own, "command": command, "inputs": {}, "started": int(START) + started}
+    return known | {"seconds": seconds} | build
+
+
 class Project:
     """At first, it has nothing but the page about claims."""
 
@@ -84,7 +92,7 @@ class Project:
 
     def make_recipes(self):
         for name in {row["recipe"] for row in table().values()} | {"fig10"}:
-            spill(self.root / f"recipes/{name}/figure.ini", "")
+            spill(self.root / f"recipes/{name}/commands.py", "")
             spill(self.root / f"recipes/{name}/README.md", README.format(name=name))
             claims = [result(claim) for claim in JUDGED if table()[claim]["recipe"] == name]
             if claims:
@@ -95,28 +103,21 @@ class Project:
                 spill(results / f"{name}.pdf", "%PDF")
                 spill(results / "front.csv", "x\n")
 
-    def account(self, outputs, rule, inputs, started, seconds):
-        """The line that is noted about a job."""
-        job = {"rule": rule, "input": inputs, "output": outputs, "started": START + started}
-        job["command"] = f"tool --rule {rule} {' '.join(inputs)} && echo <{outputs[0]}>"
-        with open(self.results / "jobs.jsonl", "a", encoding="utf-8") as file:
-            print(json.dumps(job | {"seconds": seconds}), file=file)
-
     def make_accounts(self):
-        """load takes 50 s and makes two files; fig2 and fig3 take 1 s and need it; fig4 needs many
-        points of 0.5 s each."""
-        load = [f"results/data/points/load.{ending}" for ending in ("h5", "json")]
-        spill(self.root / load[1], '{"checksums": {"h5": "5eed5eed"}}')
-        self.account(load, "load", [], -100, 99)  # an earlier run
-        self.account(load, "load", [], 0, 50)
-        for name in ("fig2", "fig3"):
-            self.account([f"results/{name}/claims.json"], name, load, 60, 1)
-        points = [f"results/data/points/{n}.json" for n in range(POINTS)]
-        for point in points:
-            self.account([point], "point", [], 70, 0.5)
-        self.account(["results/fig4/claims.json"], "fig4", points, 80, 2)
-        with open(self.results / "jobs.jsonl", "a", encoding="utf-8") as file:
-            file.write('{"rule": "fig5", "outp')  # the run was killed
+        """fig2 and fig3 need the same load of 50 s, fig4 many measurements of 0.5 s each."""
+        load = job("ab12", "rupture load -o load.h5 --echo <b>", 0, 50, build=BUILD)
+        load |= {"checksums": {"load.h5": "5eed5eed"}}
+        self.spill_kept("ab/ab12.load.h5")
+        read = {"inputs": {"load.h5": "ab12/load.h5"}}
+        for n, name in enumerate(("fig2", "fig3")):
+            peaks = job(f"cd{n}", "# in Python: slip.peaks_of load.h5", 60, 1) | read
+            write_jobs(self.results / name, [load, peaks])
+        line = "rupture analyze front load.h5 --event"
+        fronts = (job(f"{n}", f"{line} {n}", 70, 0.5) | read for n in range(POINTS))
+        write_jobs(self.results / "fig4", [load, *fronts, {"id": "ef", "command": "rupture load"}])
+
+    def spill_kept(self, name):
+        spill(self.results / "store" / name, "a checkpoint")
 
     def report(self):
         """Makes the page: exit code, standard output and standard error."""

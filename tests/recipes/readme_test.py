@@ -10,9 +10,10 @@ import rupture
 from report import readme
 from report.model_drawing import DRAWING, drawing
 from claims.claim import Claim, Number, Share
-from claims.judge import table
+from claims.table import table
 from conftest import ROOT, run
-from measure.event_numbers import crossing_time
+from event_numbers import crossing_time
+from events import LAWS
 from measure.tables import read_rows
 from fixture import spill
 
@@ -122,8 +123,8 @@ def test_its_numbers_are_those_of_the_programs(folder):
     options = json.loads(run("prepare", "--describe").stdout)["options"]
     default = {option["name"]: option["default"] for option in options}
     x, tau_bar = 1000 * default["x-trigger"], default["tau-bar-trigger"]
-    chain = (ROOT / "recipes/figS6/map_runs.ini").read_text(encoding="utf-8")
-    [kappa, mu_d, mu_new] = re.findall(r"^junctions\.\w+ += ([\d.]+)", chain, re.MULTILINE)
+    law = dict(re.findall(r"junctions\.(\w+)=(\S+)", LAWS["decaying"]))
+    kappa, mu_d, mu_new = float(law["kappa"]) / 1e9, law["mu_d"], law["mu_new"]
     run("prepare", "--tau-bar", "0", "-o", "p.h5")
     first = 1000 * rupture.open("p.h5")["junctions/repin_time"][0][0]
     for stated in (

@@ -87,7 +87,7 @@ def test_modules_and_programs_elsewhere_are_not_taken_for_ours(project):
         patched.delenv("RUPTURE_BIN")
         patched.setenv("PATH", "")
         with pytest.raises(Failure, match="program analyze not found: neither built"):
-            programs.command_of("analyze")
+            programs.path_of("analyze")
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from chains.sweeps import Sweep
 from chains.table import Column, columns_of, elements_of, measured
 from chains.table import print_summary, write_csv, write_hdf5
 from measure.tables import read_table
-from report.plotting import figure, save
+from rupture.figures import figure, save
 
 # --- tables -----------------------------------------------------------------------------------
 

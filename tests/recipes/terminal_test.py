@@ -3,9 +3,12 @@
 import pytest
 
 from claims.claim import Claim, Share, write_claims
+from claims.judge import judged
 from claims.print_claims import print_claims
 from claims.released import released
+from claims.samples import Samples, Unit
 from fixture import spill
+from measure.conventions import PRIMARY
 
 
 def claim(name, *judged):
@@ -41,7 +44,7 @@ claim of the paper
       holds           depends         0.15 (0.06-0.31)    0.15   primary
       holds in 3 of 20 runs (primary)
 Pictures and data: {folder}/
-A verdict needs runs with other random numbers: {command} makes them once, in about an hour.
+A verdict needs runs with other random numbers: {command} makes them once, which takes long.
 """
 
 
@@ -60,6 +63,43 @@ def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
     texts = {"3A": "0.4.0: reproduced, 86 of 91", "3C-inset": "0.4.0: depends"}
     assert released(tmp_path, [(build, 1) for build in builds]) == (texts if known else {})
     assert released(tmp_path / "elsewhere", []) == {}
+
+
+@pytest.mark.parametrize(
+    "count, reason",
+    [
+        (0, "only the case shown was judged, no other seeds"),
+        (1, "only 1 seed was judged; a verdict needs 5"),
+        (2, "only 2 seeds were judged; a verdict needs 5"),
+        (5, "holds"),
+    ],
+)
+def test_a_claim_of_few_samples_says_how_many(count, reason):
+    row = {"id": "x", "kind": "finding", "fixed": "", "says": "", "accepted": "", "unit": "seed"}
+    row["conditions"] = {"x": {"above": 2}}
+    samples = Samples({"": 3}, {PRIMARY: [Unit(None, 3)] * count})
+    assert judged(row, lambda x, _: {"x": x}, samples).reason == reason
+
+
+@pytest.mark.parametrize(
+    "name, advice",
+    [
+        ("fig3", "./reproduce.sh ensemble fig3"),
+        ("other/fig1", "./reproduce.sh other/runs other/fig1"),
+    ]
+    + [("alone/fig1", "")],
+)
+def test_advice_for_a_verdict_names_recipes_of_the_same_paper(
+    tmp_path, capsys, monkeypatch, name, advice
+):
+    papers = {"": {"samples": "ensemble"}, "other": {"samples": "runs"}, "alone": {}}
+    monkeypatch.setattr("claims.table.read", lambda paper: (papers[paper], {}))
+    (tmp_path / name).mkdir(parents=True)
+    write_claims(tmp_path / name / "claims.json", CLAIMS)
+    print_claims(name, tmp_path, tmp_path)
+    said = capsys.readouterr().out
+    assert (f"{advice} makes them once" if advice else "") in said
+    assert ("A verdict needs" in said) == bool(advice)
 
 
 def test_a_case_is_no_verdict(tmp_path, capsys):

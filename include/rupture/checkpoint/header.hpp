@@ -56,8 +56,8 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
 
 /// Thrown if a file cannot be read here and now, whatever it holds: no permission, no memory, no
 /// process to be had, or a filter that this machine lacks.
-struct Unreadable : Failure {
-  using Failure::Failure;
+struct Unreadable : MachineFailure {
+  using MachineFailure::MachineFailure;
 };
 
 }  // namespace rupture

@@ -1,4 +1,4 @@
-// The two kinds of failure a user can meet; the tools map them to exit codes 2 and 1.
+// The kinds of failure a user can meet; the tools map them to exit codes 2, 1 and 3.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,9 +22,14 @@ struct UsageError : Error {
   using Error::Error;
 };
 
-/// A valid request that failed: damaged file, full disk, blow-up.
+/// A valid request that failed: damaged file, blow-up.
 struct Failure : Error {
   using Error::Error;
+};
+
+/// The machine failed, not the request: full disk, no memory, no permission.
+struct MachineFailure : Failure {
+  using Failure::Failure;
 };
 
 }  // namespace rupture

@@ -10,7 +10,7 @@ from contextlib import suppress
 from functools import partial
 from itertools import takewhile
 
-from rupture.errors import Failure, UsageError
+from rupture.errors import Failure, UsageError, is_of_machine
 from rupture.programs import output_of
 from rupture.replacing import ENDING, end_by_signal
 from rupture.units import in_si
@@ -155,16 +155,16 @@ def exit_code(run, say):
                 sys.stdout.flush()
     except Failure as error:
         say(error)
-        return 2 if isinstance(error, UsageError) else 1
+        return 2 if isinstance(error, UsageError) else 3 if is_of_machine(error) else 1
     except OSError as error:  # those of other files are Failures
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # Python tries once more
         if isinstance(error, BrokenPipeError):  # such as that of `| head`
             return 141
         say(f"{error.filename or 'standard output'}: {error.strerror or error}")
-        return 1
+        return 3 if is_of_machine(error) or not error.filename else 1
     except MemoryError:
         say("not enough memory")
-        return 1
+        return 3
 
 
 def run_tool(name, run):

@@ -313,7 +313,7 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
   occupy_standard_streams();
   if (!has_memory()) {
     for (const char* const part : {name.c_str(), ": not enough memory\n"}) std::fputs(part, stderr);
-    return kFailed;
+    return kMachine;
   }
   std::signal(SIGPIPE, SIG_IGN);  // writing to a pipe that nobody reads only fails
   try {
@@ -326,7 +326,7 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       if (nobody_reads_output()) end_by_signal(SIGPIPE);
-      return complain(name, "cannot write to standard output", kFailed);
+      return complain(name, "cannot write to standard output", kMachine);
     }
     return code;
   } catch (const Interrupted& interrupted) {
@@ -335,7 +335,9 @@ int run_tool(const std::string& name, const std::function<int()>& body) {
   } catch (const UsageError& error) {
     return complain(name, error.what(), kUsage);
   } catch (const std::bad_alloc&) {
-    return complain(name, "not enough memory for a lattice of this size", kFailed);
+    return complain(name, "not enough memory for a lattice of this size", kMachine);
+  } catch (const MachineFailure& error) {
+    return complain(name, error.what(), kMachine);
   } catch (const std::exception& error) {
     return complain(name, error.what(), kFailed);
   }

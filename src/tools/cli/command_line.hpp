@@ -9,7 +9,7 @@
 
 namespace rupture::tools {
 
-enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2 };
+enum ExitCode : int { kDone = 0, kFailed = 1, kUsage = 2, kMachine = 3 };
 
 /// Thrown by parse() when --help, --describe or --version was given; holds the text for standard
 /// output.

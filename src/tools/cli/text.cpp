@@ -41,7 +41,11 @@ std::string text_of_file(const std::string& path, std::string_view what, std::st
                          std::size_t longest) {
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path)) {
-    throw Failure("cannot read the {} {}; give the path of a readable {}", what, path, form);
+    const Failure failure("cannot read the {} {}; give the path of a readable {}", what, path,
+                          form);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) throw MachineFailure(failure.what());
+    throw failure;
   }
   std::string text(longest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));

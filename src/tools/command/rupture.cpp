@@ -76,6 +76,9 @@ std::string help() {
     if (!tool.begins.empty()) text += fmt::format("\n{}:\n", tool.begins);
     text += fmt::format("  {:<12} {}\n", tool.name, tool.summary);
   }
+  text +=
+      "\nExit codes: 0 done, 1 failed, 2 wrong use of the command line, 3 this machine failed "
+      "(full disk, no\nmemory, no permission)\n";
   return text;
 }
 
@@ -99,7 +102,7 @@ std::string describe() {
   argv.push_back(nullptr);
   std::signal(SIGPIPE, SIG_DFL);  // ignored signals are inherited
   ::execv(path.c_str(), argv.data());
-  throw Failure("cannot run {}: {}", path, std::strerror(errno));
+  throw MachineFailure("cannot run {}: {}", path, std::strerror(errno));
 }
 
 int run(Words words) {

@@ -39,8 +39,8 @@ std::vector<fs::path> checkpoints_of(const fs::path& output) {
   std::error_code error;
   const fs::directory_iterator entries(folder, error);
   if (error) {
-    throw Failure("cannot look for checkpoints of {} in {}: {}", output.string(), folder.string(),
-                  error.message());
+    throw MachineFailure("cannot look for checkpoints of {} in {}: {}", output.string(),
+                         folder.string(), error.message());
   }
   for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();

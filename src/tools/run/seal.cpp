@@ -86,10 +86,10 @@ std::string text_of(const EditedFile& edited, const Differences& differences) {
 /// As sha256sum prints it.
 std::string digest_of_script(const std::string& path) {
   std::ifstream file;
-  if (std::filesystem::is_regular_file(path)) file.open(path, std::ios::binary);
-  if (!file.is_open()) {
-    throw Failure("cannot read the script {}; give the path of a readable file", path);
-  }
+  const Failure failure("cannot read the script {}; give the path of a readable file", path);
+  if (!std::filesystem::is_regular_file(path)) throw failure;
+  file.open(path, std::ios::binary);
+  if (!file.is_open()) throw MachineFailure(failure.what());
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return sha256(std::as_bytes(std::span(text)));
 }

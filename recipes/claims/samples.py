@@ -1,0 +1,37 @@
+"""What a claim is measured of: what the picture shows, and samples of it."""
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from rupture.errors import Failure
+from rupture.once import each, known
+
+
+class Unit(NamedTuple):
+    """One sample. Units of a run share a history; without a run it is one of its own. `sample` is a
+    Failure if it failed, which counts against the claim."""
+
+    run: Any
+    sample: Any
+
+
+@dataclass(frozen=True)
+class Samples:
+    """`shown`: {name in the picture: sample}, that which decides first. `units`: {convention:
+    list of Unit}, the primary one first; empty for one state."""
+
+    shown: dict
+    units: dict = field(default_factory=dict)
+
+
+class Sampling:
+    """Whether samples are computed; otherwise those count that are there."""
+
+    is_whole = False
+
+
+def sampled(function, points, title=""):
+    """[(point, what was found there, or a Failure)] of all points, or of those that are there."""
+    found = each(function, points, title) if Sampling.is_whole else known(function, points)
+    results = dict(found) | {point: Failure(sentence) for point, sentence in found.refused}
+    return [(point, results[point]) for point in points if point in results]
