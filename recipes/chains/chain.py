@@ -1,51 +1,33 @@
-"""Chain files as they are written (recipes/README.md): sections, keys, and which line says what."""
+"""Files of users' sweeps as they are written (docs/sweeps.md): sections, keys, and which line says
+what."""
 
 import os
 import re
-import shlex
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
-from chains.point import HOLE, PROGRAMS
-from measure.conventions import SETS
+from chains.point import HOLE
 from chains.store import RESULTS, write_own
 from rupture.errors import Failure, UsageError
-from rupture.programs import DRAWING, output_of
+from rupture.programs import output_of
 from rupture.units import one_name
-from reproduce.project import SHARE
 from chains.programs import PLAIN
 from chains.ini import check_known, errors_of, existing, is_values, needs_of, new_ini
 from chains.values import is_expression, values_of
 
-RECIPES = SHARE / "recipes"
-SECTIONS = ("chain", "commands", "values", "quantities", "units", "figure")
-KEYS = {
-    "chain": ("title", "like", "points", "base", "keep", "memory", "threads", "axis"),
-    "figure": ("reads", "beside", "pictures", "tables", "others"),
-}
-RUNS = (*PROGRAMS, *DRAWING)  # programs that a chain may run
-SCRIPT, ALL = "script", "all "  # in recipes
+SECTIONS = ("chain", "commands", "values", "quantities", "units")
+KEYS = ("title", "like", "points", "base", "keep", "memory", "threads", "axis")
 SELECTION = re.compile(
     r"(?P<first>first )?(?:(?P<element>\w+) in )?(?P<chain>[\w./-]+?)"
     r"(?:: (?P<list>[\w.]+))?(?: where (?P<condition>.+))?"
 )
 BASE = re.compile(r"(?:(?P<chain>[\w./-]+): )?(?P<file>.+)")
-ALSO = re.compile(r"--also (\w+)(?=\s|$)")  # a set of ways to measure
-
-
-def ways_in(line):
-    """{way to measure: options} of the set that `--also SET` names."""
-    found = ALSO.search(line)
-    return SETS[found[1]] if found else {}
 
 
 class Chain:
     """One file. `own`: the sections in the file itself, `sections`: with those of the files that it
     is like."""
-
-    among: Any = None  # the Chains with which it is read
 
     def __init__(self, path, read=()):
         self.path = Path(os.path.abspath(path))
@@ -79,17 +61,11 @@ class Chain:
     @property
     def shown(self):
         """The file, as errors name it."""
-        return os.path.relpath(self.path, SHARE) if self.is_ours else str(self.path)
-
-    @property
-    def is_ours(self):
-        return RECIPES in self.path.parents
+        return str(self.path)
 
     @property
     def name(self):
-        """As recipes call it: fig3/edges."""
-        folder = RECIPES if self.is_ours else self.path.parent
-        return str(self.path.relative_to(folder).with_suffix(""))
+        return self.path.stem
 
     @property
     def keys(self):
@@ -103,17 +79,11 @@ class Chain:
 
     @cached_property
     def typed(self):
-        """The commands as they are typed: a script is named by its path in the project, a
-        checkpoint as programs write its time (x-t{0.2}.h5), and --also has ways to measure."""
-        found = {}
-        for name, line in self.commands.items():
-            if line.startswith(f"{SCRIPT} "):
-                _, script, *words = line.split(None, 2)
-                line = " ".join([SCRIPT, self.in_project(script), *words])
-            line = re.sub(r"(?<=-t)\{([\d.]+)\}(?=\.h5)", lambda at: time_in_name(at[1]), line)
-            ways = "; ".join(ways_in(line).values())
-            found[name] = ALSO.sub(lambda _: f"--also {shlex.quote(ways)}", line)
-        return found
+        """The commands with names of checkpoints (x-t{0.2}.h5) as programs write them."""
+        return {
+            name: re.sub(r"(?<=-t)\{([\d.]+)\}(?=\.h5)", lambda at: time_in_name(at[1]), line)
+            for name, line in self.commands.items()
+        }
 
     @cached_property
     def lists(self):
@@ -160,15 +130,11 @@ class Chain:
         with self.errors_at("chain", "memory" if "memory" in self.keys else "threads"):
             return needs_of(self.keys)
 
-    def in_project(self, name):
-        """A file beside this one, by its path in the project."""
-        return os.path.relpath(self.path.parent / name, SHARE)
-
     def start_at(self, path):
-        """The file from which points start, as commands name it: of users' chains a copy."""
-        if not self.is_ours and path not in self.copies:
+        """The file from which points start, as commands name it: a copy."""
+        if path not in self.copies:
             self.copies[path] = str(copy_of(path))
-        return self.in_project(path) if self.is_ours else self.copies[path]
+        return self.copies[path]
 
     def line_of(self, section, key):
         """Where the file says it; 0 if another one does, which this one is like."""
@@ -205,15 +171,14 @@ class Chain:
                     check_known(section, SECTIONS, "there is no section")
             for key, text in lines.items():
                 with self.errors_at(section, key):
-                    if section in KEYS:
-                        shown = heading if section == "chain" else section
-                        check_known(key, KEYS[section], f"[{shown}] has no key")
+                    if section == "chain":
+                        check_known(key, KEYS, f"[{heading}] has no key")
                     if not text and section != "units":
                         raise UsageError(f"'{key}' in [{section}] has no value")
 
 
 def copy_of(base):
-    """Copies the file from which points of a user's chain start, with its .sum."""
+    """Copies the file from which points start, with its .sum."""
     try:
         checksum = output_of("analyze", "checksum", base).strip()
     except Failure as failure:

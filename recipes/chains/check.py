@@ -1,11 +1,10 @@
 """Finds names that lead nowhere before anything runs, also in chains whose points are not known
-yet; and what a chain that is no recipe must not do."""
+yet; and what a sweep must not do."""
 
 import re
 
-from chains.chain import ALL, ALSO, BASE, RUNS, SCRIPT, kept_names
-from measure.conventions import SETS
-from chains.point import HOLE, without_time
+from chains.chain import BASE, kept_names
+from chains.point import HOLE, PROGRAMS, without_time
 from chains.points import LAST_BEFORE
 from rupture.errors import UsageError
 from chains.programs import check_expression, given_in
@@ -27,7 +26,7 @@ def check(chains, chain):
         raise UsageError(f"{chain.shown}: it has no section [commands]")
     for name in chain.commands:
         with chain.errors_at("commands", name):
-            check_command(chains, chain, name, names)
+            check_command(chains.programs, chain, name, names)
     for section, lists in chain.lists.items():
         for name, texts in lists.items():
             with chain.errors_at(section, name):
@@ -61,31 +60,19 @@ def names_of(chains, chain):
     return names | values | set(chain.commands)
 
 
-def check_command(chains, chain, name, names):
+def check_command(programs, chain, name, names):
+    """It runs a program that computes, and writes in the folder of its point."""
     line = chain.commands[name]
-    words = words_of(line)
-    if words[0] == SCRIPT and chain.is_ours:
-        if not (chain.path.parent / words[1]).is_file():
-            raise UsageError(f"there is no script {words[1]} in {chain.path.parent.name}")
-    else:
-        check_known(line.split()[0], RUNS, "there is no program")
-    if also := ALSO.search(line):
-        check_known(also[1], SETS, "there is no set of ways to measure")
+    words_of(line)  # which must be possible
+    check_known(line.split()[0], PROGRAMS, "there is no program")
     for hole in HOLE.findall(line):
-        if hole.startswith(ALL):
-            if words[0] != SCRIPT:
-                raise UsageError(f"'{line}': {{{hole}}} is for scripts")
-            listed, condition = chains.named(hole.removeprefix(ALL), chain)
-            check(chains, listed)
-            check_expression(condition or "True", names | names_of(chains, listed))
-        elif hole == "base" and "base" not in chain.keys:
+        if hole == "base" and "base" not in chain.keys:
             raise UsageError(f"'{line}': {{base}} needs base = FILE in [chain]")
-        elif hole not in (*OWN, *names):
+        if hole not in (*OWN, *names):
             check_expression(hole, names)
     if re.search(r"[{}]", HOLE.sub("", line)):
         raise UsageError(f"'{line}': a brace is missing")
-    if not chain.is_ours:  # it runs programs that compute, and writes in its points' folders
-        list(given_in(line, chains.programs))
+    list(given_in(line, programs))
 
 
 def check_base(chains, chain, names):

@@ -1,6 +1,5 @@
-"""Expressions in chain files and in claims.toml: numbers, texts, names, arithmetic, comparisons,
-lists and a few functions. They are parsed and then worked out here, never run. Mistakes are
-ValueErrors.
+"""Expressions in files of sweeps: numbers, texts, names, arithmetic, comparisons, lists and a few
+functions. They are parsed and then worked out here, never run. Mistakes are ValueErrors.
 
 Null is None. What is computed from it is null, and so is a comparison with it."""
 

@@ -1,29 +1,19 @@
-"""Writes the plan by which Ninja computes recipes, results/data/plan/build.ninja, or a user's
-sweep, results/sweeps/NAME/plan/build.ninja.
+"""Writes the plan by which Ninja computes a user's sweep, results/sweeps/NAME/plan/build.ninja.
 
 ./reproduce.sh writes it, and Ninja does so again (python -m chains.plan) once the points are there
-that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object:
-recipes, or files of chains; cores, megabytes. What Ninja is to compare by date are files that are
-written only when they change: so neither dates of sources, nor the folder, nor the number of cores
-makes anything stale."""
+that decide which other points there are. $RUPTURE_PLAN is the request as a JSON object: files,
+cores, megabytes. What Ninja is to compare by date are files that are written only when they change:
+so neither dates of sources, nor the folder, nor the number of cores makes anything stale."""
 
 import json
 import math
 import os
 import re
-from pathlib import Path
 
-from chains.chain import RECIPES
-from chains.check import check
-from chains.digests import MODULES, digest_of_scripts, digest_of_tool, read_modules
-from chains.points import Waiting, those
-from chains.selection import Chains
-from chains.store import DIGESTS, RESULTS, SPARE, digest_file, is_current, read, write_if_changed
+from chains.store import RESULTS, SPARE, digest_file, digest_of_tool, is_current, write_if_changed
 from rupture.errors import Failure, UsageError
 from report.written import note
 
-DATA = RESULTS / "data"
-FOLDER = DATA / "plan"
 MOST_BATCHES = 64  # of up to LARGEST_BATCH points, so that many cores have work until the end
 LARGEST_BATCH = 60  # points
 FILES = ("build.ninja", ".ninja_log", ".ninja_deps")
@@ -45,10 +35,6 @@ rule points
   restat = 1
   description = $what
 
-rule figure
-  command = {STEP} -m chains.draw $recipe'
-  description = $recipe: draw, and judge the claims
-
 rule plan
   command = exec "$$RUPTURE_PYTHON" -P -m chains.plan
   generator = 1
@@ -65,38 +51,6 @@ def paths(*files):
     return " ".join(re.sub("([ :$])", r"$\1", str(file)) for file in files)
 
 
-def selected(chains, chain, condition):
-    """The points of a chain for figure.py."""
-    check(chains, chain)
-    points = chains.points(chain)
-    if condition:
-        points = those(lambda point: point.worked_out(condition, point.known), points)
-    return points
-
-
-def points_read(chains, figure, is_ensemble_asked):
-    """{name: points} for figure.py. Another recipe's chain has that recipe in its name. Without the
-    ensemble, what is `beside` is what is there."""
-    found: dict[str, dict] = {}
-    waiting = None  # until all of them have asked for reports
-    for key in ("reads", "beside"):
-        others = chains if is_ensemble_asked or key == "reads" else Chains()
-        for chain, condition in others.read_by(others.load(figure.path), key):
-            is_own = chain.path.parent == figure.path.parent
-            of_chain = found.setdefault(chain.path.stem if is_own else chain.name, {})
-            with figure.errors_at("figure", key):
-                try:
-                    points = selected(others, chain, condition)
-                except Waiting as what:
-                    waiting = what if others is chains else waiting
-                    continue
-            there = (one for one in points if others is chains or one.is_done)
-            of_chain.update({repr(one.row): one for one in there})
-    if waiting:
-        raise waiting
-    return {name: list(points.values()) for name, points in found.items()}
-
-
 def batches_of(points):
     """The points of each job, in their order."""
     size = min(LARGEST_BATCH, math.ceil(len(points) / MOST_BATCHES))
@@ -106,7 +60,7 @@ def batches_of(points):
 class Plan:
     """The lines of the plan, as they come."""
 
-    def __init__(self, cores, megabytes, folder=FOLDER):
+    def __init__(self, cores, megabytes, folder):
         self.folder, self.file = folder, folder / "build.ninja"
         self.cores, self.megabytes = cores, megabytes
         self.pools, self.points, self.edges, self.written, self.tools = {}, {}, {}, [], set()
@@ -124,11 +78,6 @@ class Plan:
         new = {point.path: point for point in points if point.path not in self.points}
         self.points |= new
         above = [point.of for point in new.values() if point.of]
-        listed = {path: found for point in new.values() for path, found in point.lists.items()}
-        for path, (text, points) in listed.items():
-            note(RESULTS, path)
-            write_if_changed(path, text)
-            above += points
         if above:
             self.add_points(above)
         for batch in batches_of([*new.values()]):
@@ -160,66 +109,27 @@ class Plan:
             if point.path.exists() and not is_current(point.path):
                 point.path.unlink()  # damaged or edited: it is computed again
 
-    def add_figure(self, recipe, figure, reads):
-        """`reads`: {name: points}."""
-        for points in reads.values():
-            self.add_points(points)
-        data, code = DATA / recipe / "figure.json", DIGESTS / f"{recipe}-figure"
-        note(RESULTS, data, code)
-        rows = {name: [point.row for point in points] for name, points in reads.items()}
-        write_if_changed(data, json.dumps(rows))
-        folder = RECIPES / recipe
-        texts = [folder.parent / "claims.toml", *sorted(folder.glob("*.toml"))]
-        script = digest_of_scripts(folder / "figure.py", RECIPES / "claims/judge.py")
-        write_if_changed(code, script + "".join(map(read, texts)))
-        listed = figure.sections["figure"]
-        keys = ("pictures", "tables", "others")
-        pictures, tables, others = (re.findall(r"[^\s,]+", listed.get(key, "")) for key in keys)
-        files = [f"{stem}.{end}" for stem in pictures or [folder.name] for end in ("png", "pdf")]
-        files += [*(f"{table}.csv" for table in tables), *others]
-        outputs = [RESULTS / recipe / file for file in ("claims.json", *files)]
-        points = {point.path: None for points in reads.values() for point in points}
-        build = f"build {paths(*outputs)}: figure | {paths(data, code, *points)}\n"
-        self.edges[outputs[0]] = f"{build}  recipe = {recipe}\n"
-        self.written += outputs
-
     def write(self):
         self.written += [self.folder / name for name in FILES]
-        self.written += [RESULTS / "jobs.jsonl", MODULES, *map(digest_file, self.tools)]
+        self.written += [RESULTS / "jobs.jsonl", *map(digest_file, self.tools)]
         note(RESULTS, *self.written)
         for tool in self.tools:
             write_if_changed(digest_file(tool), digest_of_tool(tool))
-        write_if_changed(MODULES, json.dumps(read_modules()))
         rules = RULES.replace("{folder}", str(self.folder))
         write_if_changed(self.file, "\n".join([rules, *self.pools.values(), *self.edges.values()]))
 
 
-def write_plan(cores, megabytes, recipes=(), files=(), own=None):
-    """Writes the plan of these recipes, or of all points of these chains, and returns its path. A
-    user's file has a plan of its own. Raises UsageError, with the file and the line, if anything in
-    the files leads nowhere. `own`: the user's sweep if it is checked already."""
+def write_plan(cores, megabytes, file, own=None):
+    """Writes the plan of a user's sweep, and returns its path. Raises UsageError, with the file and
+    the line, if anything in the file leads nowhere. `own`: the sweep if it is checked already."""
     from chains.sweeps import OwnSweep  # which imports this module, too
 
-    if not own and files and RECIPES not in Path(files[0]).parents:
-        own = OwnSweep(files[0])
-    chains, waiting = own.chains if own else Chains(), []
-    plan = Plan(cores, megabytes, own.stem.parent / "plan" if own else FOLDER)
-    for file in files:
-        try:
-            plan.add_points(chains.points(chains.load(file)))
-        except Waiting:
-            waiting.append(file)
-    for recipe in recipes:
-        figure = chains.recipe(recipe)
-        try:
-            reads = points_read(chains, figure, "ensemble" in recipes)
-        except Waiting:
-            waiting.append(recipe)
-            continue
-        plan.add_figure(recipe, figure, reads)
+    own = own or OwnSweep(file)
+    chains, plan = own.chains, Plan(cores, megabytes, own.stem.parent / "plan")
+    plan.add_points(own.points or [])
     deciding = chains.deciding
-    if waiting and all(point.path.exists() for point in deciding):
-        raise Failure(f"{' '.join(waiting)}: its points depend on what no other point reports")
+    if own.points is None and all(point.path.exists() for point in deciding):
+        raise Failure(f"{file}: its points depend on what no other point reports")
     for chain in {point.chain: None for point in deciding}:
         plan.add_points([point for point in deciding if point.chain is chain])
     if deciding:  # Ninja makes these before anything else, and then the plan anew

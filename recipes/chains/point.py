@@ -44,19 +44,8 @@ def run(folder_of_tools, words, folder, files):
     """The finished command. `files`: {name in the command: file elsewhere}."""
     tool, *others = words
     arguments = [os.path.abspath(files[word]) if word in files else word for word in others]
-    tools = Path(folder_of_tools).resolve()
-    command: list = [tools / tool]
-    if tool == "script":
-        command = [sys.executable, "-P", "-m", "chains.script"]
-        arguments[0] = os.path.abspath(arguments[0])
-    done = subprocess.run(
-        [*command, *arguments],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-        env=os.environ | {"RUPTURE_BIN": str(tools)},
-    )
+    command = [Path(folder_of_tools, tool).resolve(), *arguments]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if -done.returncode in INTERRUPTIONS:
         sys.exit(128 - done.returncode)  # the signal was for all that runs
     return done
@@ -66,7 +55,7 @@ def fault(command, done):
     """The status of a point whose command ended so: the tool says why, or it crashed. Paths are
     those of this folder."""
     said = done.stderr.strip().replace(f"{os.getcwd()}/", "")
-    if done.returncode in USER_ERRORS and not said.startswith("Traceback"):
+    if done.returncode in USER_ERRORS:
         return {"status": "failed", "sentence": said.splitlines()[-1] if said else command}
     sentence = f"'{command}' ended with {done.returncode}{': ' if said else ''}{said}"
     return {"status": UNFINISHED, "sentence": sentence}
@@ -116,22 +105,6 @@ class Names:
 # --- a point -----------------------------------------------------------------------------------
 
 
-def fault_of(base):
-    """Why nothing can start from there: the point that it comes from failed, or a file is not the
-    one that a manifest beside it names. Nothing if all is well."""
-    if base["of"]:
-        return result_of(base["of"])["sentence"]
-    path = Path(base["file"])
-    known = re.findall(rf"(\S+)  {re.escape(path.name)}\n", read(path.with_name("manifest")))
-    if not known:
-        return ""
-    done = run(os.environ["RUPTURE_BIN"], ["analyze", "checksum", path.absolute()], ".", {})
-    if done.returncode:
-        return fault("analyze checksum", done)["sentence"]
-    is_it = done.stdout.strip() in known
-    return "" if is_it else f"{path} is not in {path.with_name('manifest')} (see README.md there)"
-
-
 def compute(work, folder):
     """The result. What needs a null, or a file of a command that was left out, is left out."""
     reports: dict = {}
@@ -139,7 +112,7 @@ def compute(work, folder):
     names, base = Names(work["names"], reports), work["base"]
     is_missing = base and os.path.isfile(base["file"]) and not os.path.getsize(base["file"])
     missing = {base["shown"]} if is_missing else set()  # files that no command has written
-    if base and (sentence := fault_of(base)):
+    if base and base["of"] and (sentence := result_of(base["of"])["sentence"]):
         return result | {"status": "failed", "sentence": sentence, "checksums": {}}
     for name, line in work["commands"].items():
         try:
@@ -156,17 +129,13 @@ def compute(work, folder):
         for word in SAID.get(words[0], ()):
             words += [word] if word not in words else []
         files = {base["shown"]: base["file"]} if base else {}
-        files |= {path: path for path in work["lists"]}
         done = run(os.environ["RUPTURE_BIN"], words, folder, files)
         if done.returncode:
             result |= fault(command, done)
             break
-        if words[0] == "script" or "--json" in words:
-            first, *others = said = [json.loads(line) for line in done.stdout.splitlines()]
-            if ways := work["ways"].get(name):
-                reports[name] = {**first, "under": dict(zip(ways, others, strict=True))}
-            else:
-                reports[name] = said if "--also" in words else first
+        if "--json" in words:
+            said = [json.loads(line) for line in done.stdout.splitlines()]
+            reports[name] = said if "--also" in words else said[0]
     absent = [file for file in work["keep"] if not Path(folder, file).exists()]
     absent = [file for file in absent if without_time(file) not in missing]
     if absent and result["status"] == "done":

@@ -9,15 +9,15 @@ import os
 import re
 import shlex
 from contextlib import suppress
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 
-from chains.chain import ALL, BASE, kept_names, ways_in
+from chains.chain import BASE, kept_names
 from chains.expressions import Expression, as_number, as_text, first_known
-from chains.digests import digest_of_tool
 from chains.ini import existing
 from chains.point import HOLE
-from chains.store import STORE, digest, is_current, origin_of, result_of, sources_of, tools_of
+from chains.store import STORE, digest, digest_of_tool, is_current, origin_of, result_of
+from chains.store import sources_of, tools_of
 from chains.values import is_expression
 from rupture.errors import UsageError
 
@@ -131,8 +131,7 @@ class Point:
         """Values that nothing else names, for {values}."""
         lists = [text[1:-1] for text in self.values.values() if is_expression(text)]
         holes = [hole for line in self.chain.commands.values() for hole in HOLE.findall(line)]
-        plain = [hole for hole in (*holes, *lists) if not hole.startswith(ALL)]
-        named = {name for hole in plain for name in Expression(hole, self.names).names}
+        named = {n for hole in (*holes, *lists) for n in Expression(hole, self.names).names}
         named = {first_known(name, self.names) for name in named}
         texts = {name: self.option(name) for name in self.values if name not in named}
         return {name: text for name, text in texts.items() if text is not None}
@@ -146,36 +145,6 @@ class Point:
                 raise
         return None
 
-    def listed(self, hole):
-        """The file for a script with the points that {all CHAIN where CONDITION} names."""
-        chain, condition = self.chain.among.named(hole.removeprefix(ALL), self.chain)
-        points = self.chain.among.points(chain)
-        if condition:
-            where = Expression(condition, self.names.union(*(one.names for one in points)))
-            points = those(lambda one: where.value(partial(self.look_up_either, one)), points)
-        text = json.dumps([one.row for one in points])
-        path = STORE / f"{digest(text)}.list"
-        self.lists[path] = text, points
-        return str(path)
-
-    def look_up_either(self, other, name):
-        """What a name means in a condition for points of another chain: their names come first."""
-        return (other.known if name in other.names else self.look_up)(name)
-
-    @cached_property
-    def row(self):
-        """For scripts and figure.py (results.py): the point, and those that it comes from."""
-        return [
-            {
-                "values": one.values,
-                "elements": one.elements,
-                "commands": list(one.chain.commands),
-                "path": str(one.path),
-                "base": one.base and one.base["file"],
-            }
-            for one in self.lineage
-        ]
-
     def filled(self, line):
         """A command as it is typed; holes that wait for reports, or are null, stay."""
 
@@ -184,8 +153,6 @@ class Point:
                 return as_options(self.options)
             if found[1] == "base":
                 return shlex.quote(self.base["shown"])
-            if found[1].startswith(ALL):
-                return self.listed(found[1])
             try:
                 text = self.text(found[1])
             except Waiting:
@@ -196,7 +163,6 @@ class Point:
 
     @cached_property
     def commands(self):
-        self.lists = {}  # path: text, points
         found = {}
         for name, line in self.chain.typed.items():
             with self.chain.errors_at("commands", name):
@@ -263,8 +229,6 @@ class Point:
             "names": self.waits_for(holes, {}),
             "keep": self.chain.keep,
             "base": self.base,
-            "lists": [str(path) for path in self.lists],
-            "ways": {n: [*ways] for n, t in self.chain.commands.items() if (ways := ways_in(t))},
         }
 
     @property
@@ -275,9 +239,7 @@ class Point:
     def inputs(self):
         """Files of other points, or of the user, on which its result depends."""
         base = [self.base["file"], self.base["of"]] if self.base else []
-        listed = [point for _, points in self.lists.values() for point in points]
-        reports = [one.path for point in listed for one in point.lineage]
-        return [file for file in (*base, *sources_of(self.work), *self.lists, *reports) if file]
+        return [file for file in (*base, *sources_of(self.work)) if file]
 
     @cached_property
     def id(self):
@@ -297,7 +259,7 @@ class Point:
         """Whether its result is there, and came from what it would come from now."""
         try:
             origin = origin_of(self.work, map(digest_of_tool, self.tools))
-        except (OSError, ValueError):  # of what it starts from; of a list that is not there
+        except (OSError, ValueError):  # of what it starts from
             return False
         kept = map(self.file, self.chain.keep)
         return is_current(self.path, origin) and all(map(Path.exists, kept))

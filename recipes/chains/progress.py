@@ -1,5 +1,5 @@
-"""Says what Ninja does: a line for each point and figure that is done, with x of y, the time so far
-and an estimate for the rest; of a failure, the end of what was said."""
+"""Says what Ninja does: a line for each point that is done, with x of y, the time so far and an
+estimate for the rest; of a failure, the end of what was said."""
 
 import re
 import sys
@@ -12,7 +12,6 @@ LOG = Path("build/log/recipes.log")
 LAST_LINES = 30
 STATUS = "[%f/%t] "  # of Ninja ($NINJA_STATUS)
 WAIT = 10.0  # [s] before the time for the rest is estimated
-PART = 1 / 3  # of a recipe's jobs that must be done by then: the longest come first
 STEP = re.compile(r"\[(\d+)/(\d+)\] (.*)")
 FAILED = re.compile(r"FAILED: (\S+)")
 UNSAID = ("ninja: no work to do.", "ninja: build stopped: ")
@@ -35,8 +34,8 @@ def complain(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def follow(lines, part=PART):
-    """Returns whether Ninja did anything. `part`: as PART."""
+def follow(lines):
+    """Returns whether Ninja did anything."""
     start, did, described = time.monotonic(), False, ""
     seconds = began = 0.0  # when the numbers that Ninja gives began [s]
     last = 0  # of these numbers; after what decides about other points, they begin anew
@@ -51,8 +50,7 @@ def follow(lines, part=PART):
             if described.startswith("plan "):
                 continue
             log(described)
-            is_early = last < part * int(total)
-            rest = "" if is_early else rest_of(seconds - began, last, int(total))
+            rest = rest_of(seconds - began, last, int(total))
             show(f"[{seconds:4.0f} s{rest}] {count:>{len(total)}}/{total} {described}")
         elif failed := FAILED.match(line):
             complain(f"\nFailed: {described}\n  to make: {failed[1]}")

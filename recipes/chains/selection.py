@@ -4,11 +4,10 @@ from points of other chains."""
 import itertools
 import math
 import os
-import re
 from functools import cached_property
 from pathlib import Path
 
-from chains.chain import RECIPES, Chain
+from chains.chain import Chain
 from chains.ini import existing
 from chains.points import Point, Waiting, each, those
 from chains.programs import Programs
@@ -36,25 +35,7 @@ class Chains:
         path = existing(Path(os.path.abspath(path)))
         if path not in self.chains:
             self.chains[path] = Chain(path)
-            self.chains[path].among = self
         return self.chains[path]
-
-    def recipe(self, name):
-        """figure.ini of a recipe: what its figure reads and writes."""
-        return self.load(RECIPES / name / "figure.ini")
-
-    def named(self, text, chain):
-        """The chain that CHAIN, or CHAIN where CONDITION, names beside another one, and the
-        condition for its points or nothing."""
-        name, _, condition = map(str.strip, text.partition(" where "))
-        return self.load(chain.path.parent / f"{name}.ini"), condition
-
-    def read_by(self, figure, key="reads"):
-        """Pairs: a chain that figure.py reads, and the condition for its points or nothing."""
-        with figure.errors_at("figure", key):
-            for text in re.split(r",(?![^()]*\))", figure.sections["figure"].get(key, "")):
-                if text.strip():
-                    yield self.named(text, figure)
 
     def above(self, chain):
         """The chain that its points come from; None if there is none."""

@@ -2,29 +2,20 @@
 results/data/points, ID.json with the result, ID.origin with what it was computed from, and ID.FILE
 for each file that the point keeps. It imports little, because each point does."""
 
-import hashlib
 import json
 import os
 from contextlib import suppress
 from pathlib import Path
 
 from report.written import take
+from rupture.commands.code import digest, digest_at, path_of, stamp_of
 from rupture.replacing import replacing, write_whole
 
 RESULTS = Path("results")
 STORE = RESULTS / "data/points"
 SPARE = RESULTS / "data/spare"  # files of finished points while others of their batch run
-DIGESTS = RESULTS / "data/digests"  # of programs and scripts (digests.py)
+DIGESTS = RESULTS / "data/digests"  # of what programs compute with
 FORM = "1"  # of results; another one makes all points stale
-
-
-def digest(*parts):
-    """SHA-256 of texts and bytes, in 16 digits."""
-    found = hashlib.sha256()
-    for part in parts:
-        content = part.encode() if isinstance(part, str) else part
-        found.update(b"%d\0" % len(content) + content)
-    return found.hexdigest()[:16]
 
 
 def read(path):
@@ -53,13 +44,18 @@ def result_of(path):
 
 
 def tools_of(commands):
-    """What a point computes with: names of programs, and the paths of scripts in the project."""
-    return sorted({line.split(None, 2)[line.startswith("script ")] for line in commands})
+    """Names of the programs that a point runs."""
+    return sorted({line.split()[0] for line in commands})
 
 
 def digest_file(tool):
     """Where the digest of what it computes with is."""
-    return DIGESTS / tool.replace("/", "-")
+    return DIGESTS / tool
+
+
+def digest_of_tool(tool):
+    path = path_of(tool)
+    return digest_at(path, stamp_of(path))
 
 
 def content_of(base):
@@ -79,10 +75,7 @@ def sources_of(work):
 def origin_of(work, programs):
     """What a result comes from: the point's work, digests of the programs, and the contents of its
     files."""
-    sources = sources_of(work)
-    for path in work["lists"]:
-        sources += dict.fromkeys(one["path"] for row in json.loads(read(path)) for one in row)
-    reports = map(read, sources)
+    reports = map(read, sources_of(work))
     return digest(FORM, json.dumps(work), content_of(work["base"]), *programs, *reports)
 
 

@@ -62,7 +62,7 @@ class OwnSweep:
         self.check_some()
         units: dict[str, str] = {}
         for chain in self.lineage:
-            if not chain.is_ours and (points := self.chains.made.get(chain.path)):
+            if points := self.chains.made.get(chain.path):
                 with chain.errors_at("values", ""):
                     units |= check_points(points, self.chains.programs)
         lists = [one for chain in self.lineage for one in chain.lists.values()]

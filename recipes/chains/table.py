@@ -17,7 +17,6 @@ from rupture.units import without_unit
 from chains.expressions import Expression
 from chains.point import UNFINISHED
 from chains.programs import ELEMENT, PATH
-from chains.results import origin_lines
 from chains.sweeps import result
 from measure.tables import write_table
 from measure.front_map import TYPES
@@ -226,6 +225,14 @@ def print_summary(sweep, table, missing):
         if all(row[heading] is None for row in table):
             print(f"No point has a value for {path} ({heading}).")
     return counts[UNFINISHED]
+
+
+def origin_lines(command, results):
+    """For the metadata of pictures: what draws them, and the files behind these results, which are
+    given as (path, result)."""
+    sums = ((Path(path).stem, one.get("checksums", {})) for path, one in results)
+    files = ((point, *item) for point, found in sums for item in found.items())
+    return [command, *(f"{point}.{name}: content-sha256 {sum[:16]}" for point, name, sum in files)]
 
 
 def report_sweep(sweep, missing):

@@ -122,7 +122,7 @@ def test_a_file_leaves_its_point_with_who_opens_it(lab):
 
 
 def exchange(path):
-    path.write_bytes(path.read_bytes().replace(b"load", b"laod"))
+    path.write_bytes(path.read_bytes().replace(b"load", b"LOAD"))
 
 
 def link(path):

@@ -133,8 +133,8 @@ def test_nothing_runs_for_names(lab):
 @pytest.mark.parametrize(
     "wrong",
     [
-        lambda: run("load -o end.h5 --record record.h5")["recrod.h5"],
-        lambda: run("load -o end.h5", keep=["ned.h5"]),
+        lambda: run("load -o end.h5 --record record.h5")["records.h5"],
+        lambda: run("load -o end.h5", keep=["ends.h5"]),
         lambda: run("analyze stress", keep=["end.h5"]),
     ],
 )
@@ -150,7 +150,7 @@ def test_a_misspelled_name_is_an_error_at_once(lab, wrong):
         "rupture",
         "load -o ../end.h5",
         "load --output=/tmp/a.h5",
-        "laod -o a.h5",
+        "lod -o a.h5",
         "load @0123456789abcdef/a.h5 -o b.h5",
     ],
 )

@@ -34,12 +34,20 @@ class Meter:
 
 def test_points_within_points_use_all_cores_and_no_more(lab):
     meter, since = Meter(), time.monotonic()
-    found = each(
-        lambda n: sum(one for _, one in each(lambda m: meter.work(), range(64))), range(64)
-    )
-    assert found == [((n,), 64) for n in range(64)]
+    begun: list = []
+    ended: list = []
+
+    def point(n):
+        begun.append(n)
+        count = sum(one for _, one in each(lambda m: meter.work(), range(64)))
+        ended.append(n)
+        return count, len(begun) - len(ended)
+
+    found = each(point, range(64))
+    assert [(n, count) for (n,), (count, _) in found] == [(n, 64) for n in range(64)]
     assert meter.most == 2
     assert time.monotonic() - since < 1.5 * meter.done / 2 + 1
+    assert max(number for _, (_, number) in found) < 5, "all are open, with their files"
 
 
 @pytest.mark.parametrize("shape", [(3, 1, 5), (1, 7, 1), (2, 2, 2, 2), (1, 0, 3)])
@@ -74,16 +82,25 @@ def test_an_uneven_point_leaves_no_core_idle(lab):
     meter, since = Meter(), time.monotonic()
 
     def point(n):
-        each(lambda m: meter.work(0.2 if m == 0 else 0.01), range(3))
+        each(lambda m: meter.work(0.2 if m == 1 else 0.01), range(3))
 
     each(point, range(4))
-    assert time.monotonic() - since < meter.done / 2 + 0.3
+    assert time.monotonic() - since < meter.done / 2 + 0.2
 
 
 def test_many_may_wait_for_one(lab):
     assert len(each(lambda n: run("analyze stress --sleep 0.3").said, range(500))) == 500
     assert threading.active_count() < 100
     assert len(lab.ran()) == 1
+
+
+def test_who_waits_for_points_helps(lab):
+    lab.call(cores=1).pool.most = 0  # threads
+    points = (lambda n: each(str, range(n)), range(9))
+    call = threading.Thread(target=each, args=points, daemon=True)
+    call.start()
+    call.join(20)
+    assert not call.is_alive()
 
 
 def test_points_are_few_values_each_and_come_in_their_order(lab):
@@ -140,6 +157,11 @@ def test_no_result_ends_the_call_and_the_next_one_tries_again(lab, kind):
 def test_a_mistake_in_a_point_is_raised_as_it_is(lab):
     with pytest.raises(ZeroDivisionError):
         each(lambda n: each(lambda m: 1 / m, [0]), [1, 2, 3])
+    lab.call(cores=1)
+    begun: list = []
+    with pytest.raises(IndexError):
+        each(lambda n: begun.append(n) or begun[9], range(9))
+    assert begun == [0]
 
 
 # --- known points

@@ -6,23 +6,20 @@ import re
 
 import pytest
 
-from chains import chain as chain_file
 from chains.check import check
-from chains.plan import points_read
 from chains.points import Waiting
 from chains.selection import Chains
 from chains.store import STORE
-from measure.conventions import SETS
 from rupture.errors import UsageError
 
 
 class Files:
-    """Chains in recipes/a/ of a project's folder, which is the current one; .read() for one of
-    them, with what is wrong in it as an error."""
+    """Files in a/ of the current folder; .read() for one of them, with what is wrong in it as an
+    error."""
 
     def __init__(self, folder):
-        self.folder, self.chains = folder / "recipes/a", Chains()
-        self.folder.mkdir(parents=True)
+        self.folder, self.chains = folder / "a", Chains()
+        self.folder.mkdir()
 
     def write(self, **texts):
         for name, text in texts.items():
@@ -42,10 +39,7 @@ class Files:
 
 
 @pytest.fixture(name="files")
-def files_in_a_folder(folder, monkeypatch):
-    monkeypatch.setattr(chain_file, "RECIPES", folder / "recipes")
-    monkeypatch.setattr(chain_file, "SHARE", folder)
-    monkeypatch.setitem(SETS, "tiny", {"a": {"--stencil": 3}, "b": {"--slow-below": 0.1}})
+def files_in_a_folder(folder):
     return Files(folder)
 
 
@@ -66,16 +60,7 @@ COMMANDS = [  # a file, and the commands of its points, without the program and 
     (run("--seed {n + 1}", "n = 7"), ["--seed 8"]),
     (run("--x {m}", "n = 7\nm = {n / 2}"), ["--x 3.5"]),
     (run("--x {n}", "n = $(x) y"), ["--x '$(x) y'"]),
-    (
-        "[chain]\nbase = ../../b.h5\n"
-        "[commands]\nrun = restart {base} --for {t}\n[values]\nt = 1 ms",
-        ["b.h5 --for '1 ms'"],
-    ),
     ("[commands]\nrun = analyze phi x-t{0.2}.h5", ["phi x-t0.200000000.h5"]),
-    (
-        "[commands]\nrun = analyze front r.h5 --also tiny",
-        ["front r.h5 --also '--stencil 3; --slow-below 0.1'"],
-    ),
     (  # filled in when it runs
         "[commands]\nfront = analyze front r.h5\nrun = restart a.h5 --until {front.t_rupture[8]}",
         ["a.h5 --until {front.t_rupture[8]}"],
@@ -154,27 +139,6 @@ def test_nobody_asks_for_reports_of_points_whose_values_leave_them_out(files):
     assert [point.known("seed") for point in files.chains.deciding] == [2]
 
 
-SCRIPT = "[commands]\nfit = script fit.py {n} {all above}\n[values]\nn = 1, 2\n"
-LISTED = [  # what a script gets of `above`, for its values n: seeds
-    ("{all above}", [["1", "2"], ["1", "2"]]),
-    ("{all above where seed == n}", [["1"], ["2"]]),
-    ("{all above where events is not None}", [["1"], ["1"]]),
-]
-
-
-@pytest.mark.parametrize("hole, seeds", LISTED)
-def test_a_script_gets_points_of_a_chain(files, hole, seeds):
-    files.write(above=ABOVE, x=SCRIPT.replace("{all above}", hole))
-    (files.folder / "fit.py").touch()
-    files.read("above")
-    files.has_run("above", *EVENTS)
-    for n, (point, expected) in enumerate(zip(files.read(), seeds, strict=True), 1):
-        ((path, (text, points)),) = point.lists.items()
-        assert [row[0]["values"]["seed"] for row in json.loads(text)] == expected
-        assert point.commands["fit"] == f"script recipes/a/fit.py {n} {path}"
-        assert {str(one.path) for one in points} < {*map(str, point.inputs)}
-
-
 def test_values_from_reports_of_other_points_are_options(files):
     values = "tau-bar = {e.t}\nseed = 3\nlater = {x.p[0]}\n"
     above = ABOVE.replace("[values]\nseed = 1, 2\n", "")
@@ -190,16 +154,6 @@ def test_values_from_reports_of_other_points_are_options(files):
     assert first.texts(first.known) == {"tau-bar": "0.25", "seed": "3", "later": None}
 
 
-def test_what_is_beside_a_figure_is_what_is_there(files):
-    files.write(above=ABOVE, figure="[figure]\nreads = above\nbeside = x\n")
-    files.write(x=f"[chain]\npoints = e in above: events.list\n{RUN}[values]\nn = 1\n")
-    figure = files.chains.load(files.folder / "figure.ini")
-    reads = points_read(files.chains, figure, False)
-    assert (len(reads["above"]), reads["x"]) == (2, [])
-    with pytest.raises(Waiting):
-        points_read(files.chains, figure, True)
-
-
 def test_like_takes_what_a_file_lacks(files):
     files.write(y=f"[chain]\nkeep = a.h5\nmemory = 2 GB\n{RUN}[values]\nseed = 1, 2\n[variant v]\n")
     files.write(x="[chain]\nlike = y.ini\nmemory = 3 GB\n[values]\nseed = 3\n")
@@ -208,13 +162,11 @@ def test_like_takes_what_a_file_lacks(files):
     assert (point.chain.keep, point.chain.needs["megabytes"]) == (["a.h5"], 3000)
 
 
-def test_points_of_the_same_commands_and_base_are_one_which_a_figure_gets_twice(files):
+def test_points_of_the_same_commands_are_one(files):
     files.write(x=f"{RUN}[values]\nseed = 1, 2\n[variant v]\n[variant w]\n")
-    files.write(z=f"[chain]\nbase = b.h5\n{RUN}[values]\nseed = 1, 2\n")
-    files.write(figure="[figure]\nreads = x\n")
-    found = points_read(files.chains, files.chains.load(files.folder / "figure.ini"), False)["x"]
+    found = files.read()
     assert [point.values["variant"] for point in found] == ["v", "v", "w", "w"]
-    assert len({point.path for point in (*found, *files.read("z"))}) == 4
+    assert len({point.path for point in found}) == 2
 
 
 # --- values and points ------------------------------------------------------------------------
@@ -292,16 +244,15 @@ WRONG = [  # a file, and the sentence that follows its name
     (f"{RUN}y = load 'x", "line 3: .*cannot be split into words"),
     (f"{RUN}y = load {{values.x}}", "line 3: 'values.x': there is no 'values'"),
     (f"{RUN}[values]\nx = {{y + 1}}", "line 4: 'y . 1': there is no 'y'; there are run, x"),
-    (f"{RUN}y = script fit.py", "line 3: there is no script fit.py in a"),
-    (f"{RUN}y = analyze front {{all above}}", "line 3: .*is for scripts"),
-    (f"{RUN}y = analyze front r.h5 --also al", "line 3: there is no set of ways to measure 'al'"),
+    (f"{RUN}y = script fit.py", "line 3: there is no program 'script'"),
+    (f"{RUN}y = map r.h5 -o r.png", "line 3: there is no program 'map'"),
     (f"{RUN}[values]\nrun = 1", "line 2: 'run' is the name of a value, too"),
     (chain("points = run in above: events.list"), "line 4: 'run' is the name of a value"),
     (f"{RUN}[values]\nx = 1 to 2.5", "line 4: .*give its step"),
     (f"{RUN}[values]\nx =", "line 4: 'x' in .values. has no value"),
     (chain("point = y"), "line 2: .chain. has no key 'point': did you mean 'points'"),
     (f"[chains]\nbase = y\n{RUN}", "line 2: there is no section 'chains': did you mean 'chain'"),
-    (chain("points = y"), "line 2: there is no chain recipes/a/y.ini; beside it are above, x"),
+    (chain("points = y"), "line 2: there is no chain .*/a/y.ini; beside it are above, x"),
     (chain("points = e in above"), "line 2: write points = CHAIN, or NAME in CHAIN: LIST"),
     (chain("points = e in above: event.s"), "line 2: 'event.s': .*'event': did you mean 'events'"),
     (chain("points = above where sed == 1"), "line 2: .*there is no 'sed': did you mean 'seed'"),
@@ -336,5 +287,5 @@ WRONG = [  # a file, and the sentence that follows its name
 @pytest.mark.parametrize("text, sentence", WRONG)
 def test_what_is_wrong_is_said_with_the_file_and_the_line(files, text, sentence):
     files.write(above=ABOVE, x=text)
-    with pytest.raises(UsageError, match=f"recipes/a/x.ini[,:] .*?({sentence})"):
+    with pytest.raises(UsageError, match=f"/a/x.ini[,:] .*?({sentence})"):
         files.read()

@@ -9,7 +9,6 @@ import pytest
 
 from chains.point import compute
 from chains.store import origin_of
-from conftest import ROOT
 
 ANALYZE = """#!/bin/sh
 echo "analyze $*" >> CALLS
@@ -32,13 +31,11 @@ def stand_ins(folder, monkeypatch):
         (folder / name).chmod(0o755)
     (folder / "in").mkdir()
     monkeypatch.setenv("RUPTURE_BIN", str(folder))
-    monkeypatch.setenv("PYTHONPATH", f"{ROOT}/recipes:{ROOT}/python")
     return folder / "calls"
 
 
 def work(commands, names=(), keep=(), base=None):
-    parts = {"commands": commands, "names": dict(names), "keep": list(keep), "base": base}
-    return parts | {"lists": [], "ways": {}}
+    return {"commands": commands, "names": dict(names), "keep": list(keep), "base": base}
 
 
 WORDS = [  # those of a restart, names, and what is filled in
@@ -97,23 +94,6 @@ def test_a_refusal_is_the_result_and_ends_the_point(calls, commands, sentence, c
     assert list(result["commands"]) == ["front", *commands][:count]
     assert list(result["reports"]) == (["front", "c"] if count == 3 else ["front"])
     assert len(calls.read_text().splitlines()) == count
-
-
-SCRIPTS = [  # what main() does, status and sentence
-    ("return {'a': 1}", "done", ""),
-    ("output_of('analyze', 'front', 'bad')", "failed", "analyze: too large"),
-    ("sys.exit('there is no event')", "failed", "there is no event"),
-    ("return {}['a']", "unfinished", "KeyError: 'a'"),
-]
-
-
-@pytest.mark.parametrize("does, status, sentence", SCRIPTS)
-def test_a_script_reports_refuses_or_has_a_fault(calls, does, status, sentence):
-    text = f"import sys\nfrom rupture.programs import output_of\ndef main(n):\n    {does}\n"
-    Path("x.py").write_text(text)
-    result = compute(work({"x": "script x.py 1"}), "in")
-    assert (result["status"], sentence in result["sentence"]) == (status, True), result
-    assert result["reports"] == ({"x": {"a": 1}} if status == "done" else {})
 
 
 BASE = {"file": "above.b.h5", "shown": "b.h5", "of": "above.json"}
