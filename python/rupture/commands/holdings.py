@@ -15,7 +15,7 @@ class Scope:
         self.parent = parent
         self.named, self.read, self.asked = set(), [], []
         self.only_known = only_known or bool(parent and parent.only_known)
-        self.is_cancelled = self.has_run = False
+        self.is_cancelled = self.has_run = self.lacks = False  # lacks: what is not known
 
     def and_around(self):
         scope = self
