@@ -72,10 +72,13 @@ def events_of(choice, seed):
 
 
 @cache
-def runs(choice):
-    """[(seed, {way: events})]; nothing of what matters to prepared interfaces only."""
-    points = [(choice, seed) for seed in SEEDS if choice != "K-tenth"]
-    return [(seed, found) for (_, seed), found in each(events_of, points, choice)]
+def runs():
+    """{choice: [(seed, {way: events})]}; nothing of what matters to prepared interfaces only."""
+    points = [(choice, seed) for choice in CHOICES if choice != "K-tenth" for seed in SEEDS]
+    found: dict[str, list] = {choice: [] for choice in CHOICES}
+    for (choice, seed), events_of_run in each(events_of, points, "loads"):
+        found[choice].append((seed, events_of_run))
+    return found
 
 
 def branch(choice, seed, number):
@@ -90,11 +93,23 @@ def branch(choice, seed, number):
 
 
 def units_of_runs(choice):
-    return {PRIMARY: [Unit(seed, events.spanning(found)) for seed, found in runs(choice)]}
+    return {PRIMARY: [Unit(seed, events.spanning(found)) for seed, found in runs()[choice]]}
 
 
 @cache
+def branches():
+    """{choice: units}"""
+    points = [
+        (choice, *event)
+        for choice, of in runs().items()
+        for event in slow_events(of)
+        if choice not in DECAYING
+    ]
+    found: dict[str, list] = {choice: [] for choice in CHOICES}
+    for (choice, seed, _), of_event in each(branch, points, "branches"):
+        found[choice].append(Unit(seed, of_event))
+    return found
+
+
 def units_of_branches(choice):
-    points = [(choice, *event) for event in slow_events(runs(choice)) if choice not in DECAYING]
-    found = each(branch, points, f"{choice}, branches")
-    return {PRIMARY: [Unit(seed, of) for (_, seed, _), of in found]}
+    return {PRIMARY: branches()[choice]}

@@ -136,7 +136,7 @@ def measured(choice):
         for claim in ROWS[settled_of(choice)]
         for share in share_of(claim, choice)
     }
-    loads = (events[PRIMARY] for _, events in runs(choice))
+    loads = (events[PRIMARY] for _, events in runs()[choice])
     return shares | of_spanning([[one for one in of if one["spanning"]] for of in loads])
 
 

@@ -145,37 +145,45 @@ def fits_of(rows):
 
 
 def usable_fronts(seed):
-    """A sample: {way to measure: usable rows}"""
+    """{way to measure: usable rows}"""
     return slow.by_way(fronts(seed))
 
 
-def at_width(seed, sigma_bar):
+def with_width(rows, widths, sigma_bar):
     """The full model's fronts at this width of phi instead; the simplified one has none."""
-    others = [row for row in widths(seed) if row["sigma-bar"] == sigma_bar]
-    return {PRIMARY: chosen(usable_fronts(seed)[PRIMARY], "simplified") + others}
+    return chosen(rows, "simplified") + [row for row in widths if row["sigma-bar"] == sigma_bar]
+
+
+def fits(seed):
+    """A sample: {way to measure: {model: fit}}"""
+    return {way: fits_of(rows) for way, rows in usable_fronts(seed).items()}
+
+
+def fits_at_width(seed, sigma_bar):
+    rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
+    return {PRIMARY: fits_of(rows)}
 
 
 def each_seed():
-    units = {PRIMARY: sampled(usable_fronts, [(seed,) for seed in SEEDS], "front speeds")}
+    units = {PRIMARY: sampled(fits, [(seed,) for seed in SEEDS], "front speeds")}
     for sigma in (0, 0.2):
         points = [(seed, sigma) for seed in SEEDS]
-        units[f"sigma-bar {sigma}"] = sampled(at_width, points, f"sigma-bar {sigma}")
+        units[f"sigma-bar {sigma}"] = sampled(fits_at_width, points, f"sigma-bar {sigma}")
     found = {name: [Unit(None, of) for _, of in of_seeds] for name, of_seeds in units.items()}
-    return Samples({"": usable_fronts(1)}, found)
+    return Samples({"": fits(1)}, found)
 
 
-def scaling(of, way):
+def scaling(fits, way):
     """3D"""
-    fits = fits_of(of[way])
-    full, simplified = fits.values()
-
-    def both(quantity, name):
-        return {f"{quantity}, {model}": getattr(one, name) for model, one in fits.items()}
-
+    full, simplified = (fits[way][model] for model in ("full", "simplified"))
     return {
-        **both("slope", "slope"),
-        **both("R^2", "r_squared"),
+        "slope, full": full.slope,
+        "slope, simplified": simplified.slope,
+        "R^2, full": full.r_squared,
+        "R^2, simplified": simplified.r_squared,
         "difference of the slopes": abs(full.slope / simplified.slope - 1),
-        **both("exponent", "exponent"),
-        **both("largest deviation from the line", "largest"),
+        "exponent, full": full.exponent,
+        "exponent, simplified": simplified.exponent,
+        "largest deviation from the line, full": full.largest,
+        "largest deviation from the line, simplified": simplified.largest,
     }

@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 from rupture.once import each, measured, run
+from rupture.reports import values
 
 from claims.samples import Samples, Unit, sampled
 from fig3.decay_length import METHODS, decay_of_front, median
@@ -85,17 +86,15 @@ def each_stiffness():
 
 def by_stiffness(fronts, way):
     """3D-stiffness. k_i = N_s sqrt(kappa f_N): k/k_i over the reference's is sqrt(KAPPA/kappa)."""
-    ratios = [math.sqrt(KAPPA / kappa) for kappa in KAPPAS]
-    l_0 = [of.l_0[way] for of in fronts]
-    known = [(ratio, of) for ratio, of in zip(ratios, l_0) if of is not None]
-    steps, exponent = np.array([np.nan]), np.nan
-    if len(known) > 1:
-        ratio, length = np.log(known).T
-        steps, exponent = np.diff(length), np.polyfit(ratio, length, 1)[0]
+    ratios = np.array([math.sqrt(KAPPA / kappa) for kappa in KAPPAS])
+    l_0 = values(of.l_0[way] for of in fronts)
+    known = np.isfinite(l_0)
+    several = sum(known) > 1
+    logs = np.log(ratios[known]), np.log(l_0[known])
     return {
-        "k/k_i over the reference's": ratios,
-        "l_0 [mm]": [of and 1e3 * of for of in l_0],
-        "slow fronts": len(known),
-        "each longer than the one before": min(steps) > 0,
-        "exponent": exponent,
+        "k/k_i over the reference's": ratios.tolist(),
+        "l_0 [mm]": (1e3 * l_0).tolist(),
+        "slow fronts": sum(known),
+        "each longer than the one before": several and np.diff(l_0[known]).min() > 0,
+        "exponent": np.polyfit(*logs, 1)[0] if several else np.nan,
     }

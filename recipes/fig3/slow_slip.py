@@ -103,12 +103,13 @@ def fit_of(rows):
 
 
 def fits_of(seed):
-    """A sample: the rows that the claim is about, and {way to measure: fit}."""
+    """A sample: rows, those that the claim is about, {way to measure: fit}, and that of event II."""
     rows = slow.by_way(fronts(seed))
     ways = {name: (rows[PRIMARY], k_i) for name, k_i in K_I.items()}
     ways |= {name: (of, K_I[PRIMARY]) for name, of in rows.items() if name != PRIMARY}
     fits = {name: fit_of(varied(of, k_i)) for name, (of, k_i) in ways.items()}
-    return SimpleNamespace(rows=rows[PRIMARY], varied=varied(rows[PRIMARY]), fits=fits)
+    of_SI = varied(rows[PRIMARY])
+    return SimpleNamespace(rows=rows[PRIMARY], varied=of_SI, fits=fits, event=fit(of_event()))
 
 
 def each_seed():
@@ -126,7 +127,7 @@ def inset(of, way):
         "largest deviation from the line": found.largest,
         "prepared interfaces": len(of.varied),
         "slowest and fastest front [m/s]": [speeds.min(), speeds.max()] if len(speeds) else None,
-        "slope, event II": fit(of_event()).slope,
+        "slope, event II": of.event.slope,
     }
 
 

@@ -33,8 +33,8 @@ def states():
     unloaded = run("load -o unloaded.h5 --until 0")["unloaded.h5"]
     event = shipped("fast-slow-fast")
     return SimpleNamespace(
-        unloaded=Stress(run(f"analyze stress {unloaded}")),
-        before=Stress(run(f"analyze stress {event}")),
+        unloaded=run(f"analyze stress {unloaded}"),
+        before=run(f"analyze stress {event}"),
         h=measured(driven_at, event),
     )
 
@@ -46,7 +46,7 @@ def both_states():
 def symmetry(of, _):
     """S1: how far p is from symmetric and tau from antisymmetric where the slider rests; by how
     much the centroid of p moves until event I, over F_T h/F_N."""
-    unloaded, before = of.unloaded, of.before
+    unloaded, before = Stress(of.unloaded), Stress(of.before)
     shift = before.centroid() - unloaded.centroid()
     asymmetry = np.abs(unloaded.p - unloaded.p[::-1]).max()
     symmetric = np.abs(unloaded.tau + unloaded.tau[::-1]).max()

@@ -1,7 +1,7 @@
 """Figure S1 and its data."""
 
 from measure.tables import write_table
-from figS1.commands import states
+from figS1.commands import Stress, states
 from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
 
 
@@ -24,7 +24,7 @@ def draw(unloaded, before, stem):
 
 
 def make(results):
-    unloaded, before = states().unloaded, states().before
+    unloaded, before = Stress(states().unloaded), Stress(states().before)
     draw(unloaded, before, results / "figS1")
     names = ["p [N]", "tau [N]"]
     write_table(

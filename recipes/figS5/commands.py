@@ -42,9 +42,9 @@ def deviation(strengths, _):
     uniform, bell = strengths
     closed = np.array([uniform_closed_form(sigma_bar) for sigma_bar in uniform.sigma_bar])
     found = {
-        "uniform - closed form": np.abs(uniform.mu_bar - closed).max(),
-        "uniform - quadrature": np.abs(uniform.mu_bar - uniform.quadrature).max(),
-        "bell - quadrature": np.abs(bell.mu_bar - bell.quadrature).max(),
+        "uniform - closed form": np.abs(np.subtract(uniform.mu_bar, closed)).max(),
+        "uniform - quadrature": np.abs(np.subtract(uniform.mu_bar, uniform.quadrature)).max(),
+        "bell - quadrature": np.abs(np.subtract(bell.mu_bar, bell.quadrature)).max(),
     }
     return {
         "falls from each to the next": all(np.all(np.diff(of.mu_bar) < 0) for of in strengths),

@@ -22,6 +22,9 @@ def fronts(n):
 print(sum(found for _, found in each(fronts, range(4), "fronts")))
 """
 LONG = """
+from rupture.commands import processes
+processes.WITH_US = ["not-there"]  # which ends programs, too
+use(cores=2)
 def point(n):
     print(run(f"analyze stress --sleep {60 if n else 0} --x {n}").said, flush=True)
 each(point, range(9), "stress")

@@ -4,9 +4,9 @@ from unittest import mock
 
 import numpy as np
 
-import precursors
-from alternation import FROM, SLOW, alternates, own_result, shuffled
 from conftest import approx
+from ensemble import precursors
+from ensemble.alternation import FROM, SLOW, alternates, own_result, shuffled
 
 
 def kinds(text):
@@ -36,7 +36,7 @@ class TestAlternation:
         def load(text):
             return [(SLOW if kind == "s" else "other", {"t_start": since}) for kind in text]
 
-        with mock.patch("alternation.SHUFFLES", 500):
+        with mock.patch("ensemble.alternation.SHUFFLES", 500):
             return own_result({f"load-{n}": load(text) for n, text in enumerate(texts)}).measured
 
     def test_alternation_of_all_loads_at_once_is_no_more_than_their_age(self):

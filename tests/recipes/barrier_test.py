@@ -1,16 +1,14 @@
 """What the recipe `barrier` counts, on made-up fronts."""
 
-import importlib
-
 import pytest
+from rupture.once import Report
 
-barrier = importlib.import_module("barrier.figure")
+from barrier import figure as barrier
 
 
 def pair(*arrived):
     """Fronts with slow slip and without that pass the patch of one block at these times [s]."""
-    lines = [[None] * 30 + [t] for t in arrived]
-    return {f_new: {"front": {"t_front": t}} for f_new, t in zip(barrier.COLOURS, lines)}
+    return [Report(t_front=[None] * 30 + [t]) for t in arrived]
 
 
 def test_counts_the_fronts_that_only_slow_slip_carries_across():

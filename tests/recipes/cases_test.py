@@ -1,25 +1,25 @@
-"""What rows of claims.toml measure beside their conditions, and the friction of single blocks; all
-made up."""
+"""What rows of claims.toml measure beside their conditions, where events branch, and the friction of
+single blocks; all made up."""
 
-import re
+from types import SimpleNamespace
 
 import numpy as np
 from pytest import mark
-
-from chains.chain import Chain
-from chains.expressions import Expression
-from claims.cases import Names
-from claims.judge import table
-from conftest import ROOT, approx
-from examples import WORDS
-from made_up import Made
-from measure.fronts import middle_of
-from measure.slip import AFTER, peaks_of
 from rupture.files import Ruptures
+from rupture.once import Report
 
+import events
+import fig1.commands
+import fig3.commands
+import fig5.commands
+from claims_test import copied
+from conftest import approx
+from examples import WORDS
+from fig2.commands import fast_slow_fast, shown_of
+from measure.conventions import PRIMARY
+from measure.slip import AFTER, peaks_of
 
-def value(claim_id, text, **reports):
-    return Names(table()[claim_id], Made(reports)).value(text)
+IN_TIME = "fast, slow and fast in order of time"
 
 
 @mark.parametrize(
@@ -32,54 +32,65 @@ def value(claim_id, text, **reports):
     ],
 )
 def test_an_event_is_fast_slow_fast_in_order_of_time(t_rupture, expected):
-    for claim_id in ("2A", "S6A", "exponential-event"):
-        assert value(claim_id, "in_time", event=WORDS | {"t_rupture": t_rupture}) == expected
+    [case] = fast_slow_fast({PRIMARY: [copied(WORDS | {"t_rupture": t_rupture})]}, PRIMARY)
+    assert case[IN_TIME] == expected
+
+
+@mark.parametrize(
+    "kinds, shown", [("--", 0), ("-s", 1), ("sfs", 0), ("-fs", 2)]  # f: one that does not span
+)
+def test_of_a_run_the_first_event_that_is_fast_slow_fast_is_shown(kinds, shown, monkeypatch):
+    of_run = [Report(spanning=k != "f", fast_slow_fast=k == "s", n=n) for n, k in enumerate(kinds)]
+    monkeypatch.setattr("fig2.commands.shown_events", lambda _: {PRIMARY: of_run})
+    assert [event.n for event in shown_of("law")[PRIMARY]] == [shown]
 
 
 def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_slide():
     stopped: dict = {"slow_speed": 0.2, "fast_slip": 6e-6, "slow_slip": 3e-6}
     stopped |= {"t_arrest": 1.4, "slow_end": 4.0}
     stopped |= {"time": [0.0, 3.0, 4.0, 5.0, 6.0], "slip": [0.0, 9.0, 9.1, 9.8, 10.4]}
-    reports = {
-        "fast_slip": {"time": [0.0, 1.0, 1.5, 2.5], "slip": [0.0, 0.1, 0.3, 5.0]},
-        "slip_stopped": stopped,
-    }
-    case = Names(table()["3C-ratios"], Made(reports)).case()
-    assert [*case.values()] == approx([2, 2, 400, 700])
+    every_step = {"time": [0.0, 1.0, 1.5, 2.5], "slip": [0.0, 0.1, 0.3, 5.0]}
+    found = fig3.commands.ratios(copied({"every_step": every_step, "slip": stopped}), PRIMARY)
+    assert [*found.values()] == approx([2, 2, 400, 700])
 
 
 LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
-SPANS = {"events": [{"t_start": t, "spanning": t > 1} for t in (1.0, 2.0, 3.0)]}
+STOPPED = {"fronts": {PRIMARY: LINE | {"in_words": None}}, "undriven": LINE, "stop": 1e-3}
+EVENT = {"F_T_before": 2.0, "F_T_after": 1.0, "t_rupture": [0.0]}
+RUN = {PRIMARY: [EVENT | {"t_start": t, "spanning": t > 1} for t in (1.0, 2.0, 3.0)]}
 
 
 @mark.parametrize(
-    "claim_id, quantity, reports, expected",
+    "measured, quantity, sample, expected",
     [
-        ("5A", "driving stopped at [L]", {"front": LINE, "amid": 1e-3}, 0.2),
-        ("1D", "first spanning event at [s]", {"measured": SPANS}, 2),
+        (fig5.commands.difference, "driving stopped at [L]", STOPPED, 0.2),
+        (fig1.commands.drops, "first spanning event at [s]", RUN, 2),
     ],
 )
-def test_what_is_measured_beside_conditions(claim_id, quantity, reports, expected):
-    text = table()[claim_id]["measured"][quantity]
-    assert value(claim_id, text, **reports) == approx(expected)
-
-
-@mark.parametrize(
-    "chain, stretch", [("ensemble/continued", "event.in_words"), ("fig5/undriven", "front.slow")]
-)
-def test_the_driving_stops_in_the_middle_of_the_slow_stretch(chain, stretch):
-    text = Chain(ROOT / f"recipes/{chain}.ini").sections["values"]["amid"]
-    name, key = stretch.split(".")
-    times = {"t_from": 1.0, "t_to": 2.0}
-    found = Expression(text[1:-1], [name]).value({name: {key: times}}.__getitem__)
-    assert found == middle_of(times)
+def test_what_is_measured_beside_conditions(measured, quantity, sample, expected):
+    assert measured(copied(sample), PRIMARY)[quantity] == approx(expected)
 
 
 def test_events_branch_where_the_convention_says():
-    for row in table().values():
-        for name, of in ({"branch at 0.14 L": row} | row.get("under", {})).items():
-            if found := re.search(r"branches where block == (\d+)", of.get("each", "")):
-                assert name == f"branch at {int(found[1]) / 56:.2g} L", row["id"]
+    for block, name in events.BLOCKS.items():
+        assert name in (PRIMARY, f"branch at {block / 56:.2g} L")
+    assert events.BLOCKS[8] == PRIMARY
+
+
+def test_an_event_starts_half_a_millisecond_before_from_the_last_checkpoint(monkeypatch):
+    lines = []
+    monkeypatch.setattr("events.run", lambda line, keep: lines.append(line) or {"start.h5": ""})
+    load = {events.checkpoint_at(time): f"t={time:g}" for time in events.TIMES}
+    for t_start in (0.4203, 0.4006, 0.4005):
+        events.before(load, SimpleNamespace(t_start=t_start))
+    starts = [line.split()[1::4] for line in lines]
+    assert starts == [["t=0.4", "0.4198"], ["t=0.4", "0.4001"], ["t=0.35", "0.4"]]
+
+
+def test_an_event_lasts_twice_as_long_as_it_took_at_least_10_ms():
+    for last, lasting in ((1.003, 0.01), (1.006, 0.012)):
+        event = SimpleNamespace(t_start=1.0, t_rupture=[1.0, None, last])
+        assert events.duration(event) == approx(lasting)
 
 
 def test_peaks_count_until_shortly_after_the_first_rupture_of_the_last_block():

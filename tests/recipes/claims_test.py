@@ -1,39 +1,45 @@
-"""Rows of claims.toml: what they measure, and when they hold, on made-up reports (examples.py)."""
+"""Rows of claims.toml: what they measure, and when they hold, on made-up samples (examples.py)."""
 
-import json
-import re
+import ast
+import copy
+import inspect
 
 from pytest import mark
+from rupture.once import Report
 
-from chains.check import check_expression, names_of
-from chains.selection import Chains
-from claims import judge
-from claims.cases import Names, of_selection
-from claims.conditions import as_number
-from conftest import ROOT
-from examples import EXAMPLES
-from made_up import Made
-from reproduce.recipes import paper_of, recipe_names
-from rupture.errors import Failure
+from claims.conditions import as_number, met
+from claims.judge import cases_of, function
+from claims.recipes import RECIPES, paper_of, recipe_names
+from claims.table import table
+from examples import EXAMPLES, Instead
 
 
-def changed(reports, change):
-    """The reports with {"report.entry": value}."""
-    found = json.loads(json.dumps(reports))  # a copy that shares nothing
+def copied(part):
+    """As reports are read."""
+    if isinstance(part, dict):
+        return Report({name: copied(one) for name, one in part.items()})
+    return [copied(one) for one in part] if isinstance(part, (list, tuple)) else part
+
+
+def changed(sample, change):
+    """The sample with {"part.entry": value}."""
+    if isinstance(change, Instead):
+        return copied(change.sample)
+    found = copied(sample)
     for name, value in change.items():
         *path, last = name.split(".")
         place = found
         for key in path:
-            place = place[int(key)] if isinstance(place, list) else place.setdefault(key, {})
-        place[int(last) if isinstance(place, list) else last] = value
-    return Made(found)
+            place = place[int(key)] if isinstance(place, list) else place[key]
+        place[int(last) if isinstance(place, list) else last] = copied(value)
+    return found
 
 
-def answers(row, example):
-    """Whether the claim holds for a point with these reports, and with each change of them."""
+def answers(measured, conditions, example):
+    """Whether the claim holds for this sample, and with each change of it."""
     for change in ({}, *example.within, *example.beyond):
-        case = Names(row, changed(example.reports, change)).case(row["conditions"])
-        yield all(judge.met(wanted, case[name]) for name, wanted in row["conditions"].items())
+        [case] = cases_of(measured, changed(example.sample, change))
+        yield all(met(wanted, case[name]) for name, wanted in conditions.items())
 
 
 def expected(example):
@@ -41,8 +47,8 @@ def expected(example):
 
 
 ROWS: dict = {}
-for recipe in recipe_names(ROOT):
-    ROWS |= judge.table(paper_of(recipe))
+for recipe in recipe_names(RECIPES.parent):
+    ROWS |= table(paper_of(recipe))
 JUDGED = {name: row for name, row in ROWS.items() if row["conditions"]}
 
 
@@ -52,45 +58,21 @@ def test_each_claim_with_conditions_has_an_example():
 
 @mark.parametrize("claim_id", EXAMPLES)
 def test_a_claim_holds_within_its_bounds_and_not_beyond(claim_id):
-    example = EXAMPLES[claim_id]
-    assert list(answers(JUDGED[claim_id], example)) == expected(example)
-
-
-def texts_of(row, key):
-    """The points that a row names under a key, also in its conventions."""
-    found = [of[key] for of in (row, *row.get("under", {}).values()) if key in of]
-    return [text for of in found for text in (of.values() if isinstance(of, dict) else [of])]
-
-
-def formulas(row, quantities):
-    """{(section, name): text} of what is measured, and of what this uses."""
-    found = {("measured", name): row["measured"][name] for name in quantities}
-    for _ in row.get("with", ()):  # what these use, and what that uses
-        used = " ".join(found.values())
-        found |= {("with", n): t for n, t in row["with"].items() if re.search(rf"\b{n}\b", used)}
-    return found
+    row, example = JUDGED[claim_id], EXAMPLES[claim_id]
+    found = [*answers(function(row, "measured"), row["conditions"], example)]
+    assert found == expected(example)
 
 
 @mark.parametrize("claim_id", ROWS)
-def test_names_in_a_row_are_those_of_chains_that_its_recipe_reads(claim_id):
-    row, chains = ROWS[claim_id], Chains()
-    figure = chains.recipe(row["recipe"])
-    pairs = (chain for key in ("reads", "beside") for chain in chains.read_by(figure, key))
-    read = {chain.name.removeprefix(f"{row['recipe']}/"): chain for chain, _ in pairs}
-    for key, quantities in (("shown", row["measured"]), ("each", row["conditions"])):
-        own = row.get("with", {}) | (row.get("in_picture", {}) if key == "shown" else {})
-        texts = formulas(row | {"with": own}, quantities).values()
-        for text in texts_of(row, key):
-            where = of_selection(text)
-            names = own.keys() | names_of(chains, read[where["chain"]]) | {where["element"]}
-            for expression in (where["condition"] or "1", *texts):
-                check_expression(expression, names - {None})
+def test_a_row_names_functions_of_its_recipe_that_say_which_claim_they_measure(claim_id):
+    row = ROWS[claim_id]
+    assert not inspect.signature(function(row, "samples")).parameters
+    assert len(inspect.signature(function(row, "measured")).parameters) == 2
+    named = row.get("like", claim_id.rpartition("/")[2])
+    assert named in function(row, "measured").__doc__
 
 
 TURNED = {"at_least": "at_most", "at_most": "at_least", "above": "below", "below": "above"}
-OPERATORS = {" < ": " >= ", " > ": " <= ", " >= ": " < ", " <= ": " > ", " == ": " != "}
-OPERATORS |= {" and ": " or ", "max(": "min(", "min(": "max(", " - ": " + ", " / ": " * "}
-OPERATORS |= {" * ": " / ", " is not ": " is ", "not ": ""}
 
 
 def other_conditions(condition):
@@ -106,28 +88,71 @@ def other_conditions(condition):
             yield {TURNED[r] if r == relation else r: b for r, b in condition.items()}
 
 
-def faults_in(row):
-    """(section, name, new value): one number or one operator of the conditions and of what these
-    use is changed."""
-    for name, condition in row["conditions"].items():
-        yield from (("conditions", name, other) for other in other_conditions(condition))
-    for (section, name), text in formulas(row, row["conditions"]).items():
-        for old, new in OPERATORS.items():
-            for found in re.finditer(re.escape(old), text):
-                yield section, name, text[: found.start()] + new + text[found.end() :]
+OTHERS: dict[type, type] = {ast.Lt: ast.GtE, ast.Gt: ast.LtE, ast.GtE: ast.Lt, ast.LtE: ast.Gt}
+OTHERS |= {ast.Eq: ast.NotEq, ast.Sub: ast.Add, ast.Div: ast.Mult, ast.Mult: ast.Div}
+EXTREMES = {"max": "min", "min": "max"}
+ALIKE = "before.centroid() + unloaded.centroid()"  # of S1, where p is symmetric: that is at 0
 
 
-def is_noticed(row, example):
+def used_by(tree, quantities):
+    """The parts of a function that lead to these quantities."""
+    dicts = [node for node in ast.walk(tree) if isinstance(node, ast.Dict)]
+    pairs = [pair for node in dicts for pair in zip(node.keys, node.values)]
+    found = [v for k, v in pairs if isinstance(k, ast.Constant) and k.value in quantities]
+    given = [node for node in ast.walk(tree) if isinstance(node, ast.Assign)]
+    for part in found:  # grows meanwhile
+        names = {node.id for node in ast.walk(part) if isinstance(node, ast.Name)}
+        for node in given:
+            targets = {one.id for of in node.targets for one in ast.walk(of) if hasattr(one, "id")}
+            if targets & names and node.value not in found:
+                found.append(node.value)
+    return found
+
+
+def faults_in(function, quantities):
+    """The function with one operator of what leads to these quantities changed, and which."""
+    text = inspect.getsource(function)
+    count = len([*ast.walk(ast.parse(text))])
+    for number in range(count):
+        tree = ast.parse(text)
+        node = [*ast.walk(tree)][number]
+        parts = {one for part in used_by(tree, quantities) for one in ast.walk(part)}
+        if isinstance(node, ast.Compare) and type(node.ops[0]) in OTHERS:
+            node.ops[0] = OTHERS[type(node.ops[0])]()
+        elif isinstance(node, ast.BinOp) and type(node.op) in OTHERS:
+            node.op = OTHERS[type(node.op)]()
+        elif isinstance(node, ast.Name) and node.id in EXTREMES:
+            node.id = EXTREMES[node.id]
+        elif isinstance(node, ast.Attribute) and node.attr in EXTREMES:
+            node.attr = EXTREMES[node.attr]
+        else:
+            continue
+        if node in parts and ast.unparse(node) != ALIKE:
+            names = dict(vars(inspect.getmodule(function)))
+            exec(compile(ast.fix_missing_locations(tree), "fault", "exec"), names)
+            yield f"{ast.unparse(node)} in line {node.lineno}", names[function.__name__]
+
+
+def is_noticed(measured, conditions, example):
     try:
-        return list(answers(row, example)) != expected(example)
-    except (Failure, TypeError, ValueError):
+        return [*answers(measured, conditions, example)] != expected(example)
+    except (TypeError, ValueError, AttributeError):
         return True
 
 
 @mark.parametrize("claim_id", EXAMPLES)
-def test_a_fault_in_a_row_changes_the_answer_to_an_example(claim_id):
-    row, unseen = JUDGED[claim_id], []
-    for section, name, new in faults_in(row):
-        if not is_noticed(row | {section: row[section] | {name: new}}, EXAMPLES[claim_id]):
-            unseen.append((section, name, new))
+def test_a_fault_in_a_row_or_in_what_it_measures_changes_the_answer(claim_id):
+    row, example = JUDGED[claim_id], EXAMPLES[claim_id]
+    measured, conditions = function(row, "measured"), row["conditions"]
+    unseen = [
+        (name, other)
+        for name, condition in conditions.items()
+        for other in other_conditions(condition)
+        if not is_noticed(measured, conditions | {name: other}, example)
+    ]
+    unseen += [
+        fault
+        for fault, of in faults_in(measured, conditions)
+        if not is_noticed(of, conditions, example)
+    ]
     assert unseen == []

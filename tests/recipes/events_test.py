@@ -4,12 +4,13 @@ paper's; made-up events worked out by hand."""
 import math
 
 from pytest import raises
+from rupture.errors import Failure
 
-from choose_shown import choose
 from conftest import approx
+from event_numbers import numbers_of_events
+from fig2.from_scratch import choose
+from fig2.most_like import candidates, ratios_of, unlikeness
 from measure.conventions import CONVENTIONS, PRIMARY
-from measure.event_numbers import numbers_of_events
-from most_like import candidates, choice, ratios_of, unlikeness
 
 C_S, L = 1000.0, 0.1
 
@@ -36,14 +37,15 @@ class TestChoice:
         assert chosen == {"fast-slow-fast": 0.2, "fast-only": 0.3, "second-slow": 0.5}
 
     def test_a_load_with_one_slow_event_has_no_second(self):
-        assert [*choose([event(0.1)]).values()] == [event(0.1), None, None]
+        with raises(Failure, match="no event fast-only and no second-slow: load for longer"):
+            choose([event(0.1)])
 
 
 class TestConventions:
     def test_each_differs_from_the_primary_one_in_one_way(self):
-        assert CONVENTIONS[PRIMARY] == {}
+        assert CONVENTIONS[PRIMARY] == ""
         others = [options for name, options in CONVENTIONS.items() if name != PRIMARY]
-        assert {len(options) for options in others} == {1}
+        assert {options.count("--") for options in others} == {1}
 
 
 class TestNumbers:
@@ -90,16 +92,15 @@ class TestMostLike:
         assert ratios_of(event(duration=0.0)) is None
 
     def test_half_the_duration_is_nearer_than_three_times(self):
-        loads = {
-            "load-01": [FAST_EVENT, event(0.1, duration=3e-3)],
-            "load-02": [event(0.2, slowest=C_S / 25), event(0.3123456, duration=0.5e-3)],
+        runs = {
+            401: [FAST_EVENT, event(0.1, duration=3e-3)],
+            402: [event(0.2, slowest=C_S / 25), event(0.3123456, duration=0.5e-3)],
         }
-        rows = [row for _, row in candidates(loads)]
-        assert [row["t_start [s]"] for row in rows] == [0.3123456, 0.1, 0.2]
-        chosen = {load: choice(load, loads)["chosen"] for load in loads}
-        assert chosen == {"load-01": [], "load-02": loads["load-02"][1:]}
-        assert choice("load-01", loads)["candidates"] == rows
+        found = candidates(runs)
+        assert found[0][:2] == (402, runs[402][1])
+        assert [row["t_start [s]"] for *_, row in found] == [0.3123456, 0.1, 0.2]
+        assert [row["load"] for *_, row in found] == ["load-402", "load-401", "load-402"]
 
     def test_no_candidate_is_an_error_that_says_so(self):
-        with raises(SystemExit, match="load for longer"):
-            choice("load-01", {"load-01": [FAST_EVENT]})
+        with raises(Failure, match="load for longer"):
+            candidates({401: [FAST_EVENT]})

@@ -1,21 +1,33 @@
-"""Made-up reports for each row of claims.toml: those for which the claim holds, changes just within
+"""Made-up samples for each row of claims.toml: those for which the claim holds, changes just within
 the bounds of each condition, and just beyond them. The bounds are those of docs/claims.md and of
 the paper.
 
-A change is {"report.entry": value}; of a list, {"report.entry.3": value}."""
+A change is {"part.entry": value}; of a list, {"part.3": value}. `Instead` is another sample."""
+
+from types import SimpleNamespace
+
+from measure.conventions import CONVENTIONS, PRIMARY, WAYS
+
+
+class Instead(SimpleNamespace):
+    """In place of all of a sample."""
 
 
 class Example:
     """`around` has changes of one entry: {its name: (values within, values beyond)}."""
 
-    def __init__(self, reports, around=None, within=(), beyond=()):
+    def __init__(self, sample, around=None, within=(), beyond=()):
         rows = [(name, *values) for name, values in (around or {}).items()]
-        self.reports = reports
+        self.sample = sample
         self.within = [{name: x} for name, near, _ in rows for x in near] + [*within]
         self.beyond = [{name: x} for name, _, far in rows for x in far] + [*beyond]
 
 
 L, C_S = 0.14, 968.0
+
+
+def by_way(report):
+    return {PRIMARY: report}
 
 
 def event(spanning, drop, reaches):
@@ -25,14 +37,14 @@ def event(spanning, drop, reaches):
 
 
 def load(*events):
-    return {"measured": {"events": [e | {"t_start": float(n)} for n, e in enumerate(events)]}}
+    return by_way([e | {"t_start": float(n)} for n, e in enumerate(events)])
 
 
 EARLY, LARGE = event(False, 1, False), event(True, 10, True)
 WORDS: dict = {"fast_slow_fast": True, "L": L, "t_rupture": [0.0, 0.1, 0.2, 1.0, 2.0, 2.1, 2.2]}
 WORDS["in_words"] = {"x_from": 0.07, "x_to": 0.0938, "t_from": 1.0, "t_to": 2.0}
 WORDS["in_words"] |= {"fast_before": 300.0}
-FAST_SLOW_FAST = Example({"event": WORDS}, {"event.fast_slow_fast": ([], [False])})
+FAST_SLOW_FAST = Example(by_way([WORDS]), {"primary.0.fast_slow_fast": ([], [False])})
 SLOW: dict = {"x_from": 0.07, "x_to": 0.098, "duration": 1e-3, "slowest": 9.68}
 SLOW["fast_before"] = C_S / 3
 FRONT: dict = {"type": "slow", "c_s": C_S, "L": L, "slow": SLOW}
@@ -41,25 +53,22 @@ SLIPS = {"fast_slip": 1.0, "slow_slip": 1.0, "slow_r_squared": 0.96, "slow_rms":
 COURSE: dict = {"t_rupture": 1e-3, "t_arrest": 1.1e-3, "fast_slip": 1e-5, "slow_slip": 2e-5}
 COURSE["time"] = [0.9e-3, 1.0e-3, 1.1e-3, 1.2e-3, 1.3e-3, 3e-3]
 COURSE["slip"] = [0.0, 0.6e-5, 1e-5, 1e-5, 1.2e-5, 3e-5]
-LINE: dict = {"t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "in_words": {"duration": 1e-3}}
-NUMBERS = {"types": 3, "out_of_order": 0}
-OUT_OF_ORDER: dict = {"order.types": ([], [2, None]), "order.out_of_order": ([], [1])}
-SIMPLIFIED: dict = {"type": "slow", "t_start": 1.0, "t_end": 2.0}
-SIMPLIFIED["slow"] = {"fast_before": 100.0, "speed": 10.0, "duration": 0.5e-3}
-GATHERING: dict = {"deviation": {"largest": 0.02}, "shown": {"near": 0.9}}
-GATHERING |= {"on_map": {"share": 0.71}, "over_events": {"share": 0.71}}
-STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18]}
-SLOPES = {"r_squared_full": 0.95, "r_squared_simplified": 0.95, "difference": 0.2}
-SLOPES |= {"exponent_full": 1.0, "exponent_simplified": 1.0}
+LINE: dict = {"x": [0.01, 0.02, 0.03, 0.04], "t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "L": L}
+SIMPLIFIED: dict = {"type": "slow", "slow": {"fast_before": 100.0, "speed": 10.0}}
+SIMPLIFIED["slow"]["duration"] = 0.5e-3
+STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18], "mu_error": [0.0]}
+FIT = {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0, "largest": 0.0}
+METHODS = dict.fromkeys(
+    (PRIMARY, "5 blocks ahead", "8 blocks ahead", "without the block at the tip", "fall to 1/e")
+)
 MEANS = {"phi": {"mean": [1.0, -2.0]}, "phi_wider": {"mean": [1.0, -2.0]}}
 MEANS_DIFFER: dict = {
     "phi_wider.mean.0": ([], [1.0 - 1.1e-12]),
     "phi_wider.mean.1": ([-2.0 - 1.9e-12], [-2.0 - 2.1e-12]),
 }
-PRESTRESSED = ("before", "later", "depinned", "p")
-CURVES = ("uniform_closed", "uniform_quadrature", "bell_quadrature")
 NET_SLIP = "net_slip_over_f_slip_per_k_ij"
-SLIP_AFTER_TWO_T_R = "slip_after_two_t_R_over_f_slip_per_k_ij"
+OTHERS_OF_SLIP = {"slip_after_two_t_R_over_f_slip_per_k_ij": 0.0, "quiet_after_over_t_R": 0.0}
+OTHERS_OF_TIME = {"duration_over_t_R_deviation": 0.0, "slip_at_return_over_f_slip_per_k_ij": 0.0}
 # For 2A-numbers: the paper's event, and values just within and beyond the bounds.
 PAPERS = {"x_from": 0.4 * L, "x_to": 0.6 * L, "duration": 1e-3}
 PAPERS |= {"fast_before": C_S / 3, "slowest": C_S / 100}
@@ -70,6 +79,50 @@ AROUND: dict[str, tuple] = {
     "fast_before": ([C_S / 5.9, C_S / 1.51], [C_S / 6.1, C_S / 1.49, None]),
     "slowest": ([C_S / 199, C_S / 51], [C_S / 201, C_S / 49]),
 }
+
+
+def front(kind, **ways):
+    return {"types": dict.fromkeys(WAYS, kind) | ways}
+
+
+def map_of(*kinds, sigma=0.0):
+    """A map with fronts of these types at rising tau_bar_0."""
+    return {(n / 10, sigma): {1: front(kind)} for n, kind in enumerate(kinds)}
+
+
+IN_ORDER = map_of("arrested", "slow", "fast")
+TWO_TYPES, TURNED = map_of("arrested", "fast", "fast"), map_of("slow", "arrested", "fast")
+ORDER = Example(IN_ORDER, beyond=[Instead(sample=of) for of in (TWO_TYPES, TURNED)])
+
+
+def slow_range(slow, fast=2):
+    return map_of(*["slow"] * slow, *["fast"] * fast)
+
+
+def lengths(l_0, **others):
+    return {"l_0": METHODS | {PRIMARY: l_0} | others, "profiles": 1}
+
+
+def bands(width):
+    """The band, and the reference's."""
+    return [by_way({"slow": 0.1, "fast": 0.1 + w}) for w in (width, 0.06)]
+
+
+# x [m] of a block in the trigger region and of one beyond; tau-bar 0.3 and 0.2, p = 1.
+PRESTRESS = [0.17 + 0.23 * tau_bar for tau_bar in (0.3, 0.2)]
+
+
+def stress(tau):
+    return {"x": [0.02, 0.0225], "p": [1.0, 1.0], "tau": tau, "F_N": 2.0}
+
+
+INTERFACE: dict = {"tau_bar": 0.2, "before": stress(PRESTRESS), "later": stress(PRESTRESS)}
+INTERFACE["depinned"] = stress([0.17, PRESTRESS[1]])
+UP = 1 + 1.1e-9
+# p is that of F_N = 4; its centroid moves by F_T h/F_N = 0.14 m/4 times the moved force.
+FORCES: dict = {"x": [0.0, 0.07, 0.14], "p": [1.0, 2.0, 1.0], "F_T": 8.0, "F_N": 4.0}
+FORCES |= {"tau": [-2.0, 0.0, 2.0]}
+MOVED = FORCES | {"p": [0.9, 2.0, 1.1]}
 
 EXAMPLES = {
     "1D": Example(
@@ -86,7 +139,7 @@ EXAMPLES = {
     ),
     "1E": Example(
         {
-            "front": {"x": [0.07] * 29, "L": L, "t_rupture": [9.0] * 28 + [2e-3]},
+            "fronts": by_way({"x": [0.07] * 29, "L": L, "t_rupture": [9.0] * 28 + [2e-3]}),
             "peaks": {
                 "t_peak": [9.0] * 28 + [2e-3],
                 "before": [9.0] * 28 + [0.2],
@@ -96,17 +149,18 @@ EXAMPLES = {
         },
         {
             "peaks.t_peak.28": ([2.099e-3, 1.901e-3], [2.101e-3, 1.899e-3]),
-            "front.t_rupture.28": ([], [None]),  # it does not rupture
+            "fronts.primary.t_rupture.28": ([], [None]),  # it does not rupture
             "peaks.before.28": ([], [0.3]),  # friction does not rise
             "peaks.after.28": ([], [0.3, None]),  # nor fall again; it has lost contact
         },
     ),
     "1F": Example(
-        {"law": {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}},
+        {"deviation": 1e-12, "breaks_beyond_f_thres": True, "latest_repinning": 0}
+        | {"junctions": 3, "breaks": 6, "repinnings": 6, "moves_forwards": True},
         {
-            "law.deviation": ([], [1.1e-12]),
-            "law.breaks_beyond_f_thres": ([], [False]),
-            "law.latest_repinning": ([], [1]),
+            "deviation": ([], [1.1e-12]),
+            "breaks_beyond_f_thres": ([], [False]),
+            "latest_repinning": ([], [1]),
         },
     ),
     "1G": Example(
@@ -120,144 +174,150 @@ EXAMPLES = {
     ),
     "2A": FAST_SLOW_FAST,
     "2A-numbers": Example(
-        {"event": FRONT | {"in_words": PAPERS}},
-        {f"event.in_words.{name}": values for name, values in AROUND.items()}
-        | {"event.type": (["fast"], ["arrested"]), "event.in_words": ([], [None])},
+        by_way([FRONT | {"in_words": PAPERS}]),
+        {f"primary.0.in_words.{name}": values for name, values in AROUND.items()}
+        | {"primary.0.type": (["fast"], ["arrested"]), "primary.0.in_words": ([], [None])},
     ),
-    "2B": Example({"event": FRONT | {"type": "fast"}}, {"event.type": ([], ["slow", "arrested"])}),
+    "2B": Example(
+        by_way([FRONT | {"type": "fast"}]), {"primary.0.type": ([], ["slow", "arrested"])}
+    ),
     "2C": Example(
-        {"event": FRONT},  # 28 m/s on average: c_s/35
+        by_way([FRONT]),  # 28 m/s on average: c_s/35
         {
-            "event.type": (["fast"], ["arrested"]),
-            "event.slow": ([], [None]),
-            "event.slow.fast_before": ([C_S / 5.9, C_S / 1.51], [C_S / 6.1, C_S / 1.49]),
-            "event.slow.slowest": ([C_S / 199, C_S / 51], [C_S / 201, C_S / 49]),
-            "event.slow.x_to": (
+            "primary.0.type": (["fast"], ["arrested"]),
+            "primary.0.slow": ([], [None]),
+            "primary.0.slow.fast_before": ([C_S / 5.9, C_S / 1.51], [C_S / 6.1, C_S / 1.49]),
+            "primary.0.slow.slowest": ([C_S / 199, C_S / 51], [C_S / 201, C_S / 49]),
+            "primary.0.slow.x_to": (
                 [0.07 + C_S * 1e-3 / 69, 0.07 + C_S * 1e-3 / 17.6],
                 [0.07 + C_S * 1e-3 / 71, 0.07 + C_S * 1e-3 / 17.4],
             ),
-            "event.slow.duration": ([], [0.0]),
-            "event.slow.x_from": ([], [None]),
+            "primary.0.slow.duration": ([], [0.0]),
+            "primary.0.slow.x_from": ([], [None]),
         },
     ),
     "3A": Example(
-        {"front_stopped": {"fast_slow_fast": True}},
-        {"front_stopped.fast_slow_fast": ([], [False]), "front_stopped": ([], [None])},
+        {"stopped": by_way({"fast_slow_fast": True, "type": "slow", "in_words": None, "L": L})},
+        {"stopped.primary.fast_slow_fast": ([], [False])},
     ),
     "3B": Example(
-        {"front_no_slow_slip": {"x_arrest": 0.07, "L": L}, "front": {"in_words": {"x_from": 0.07}}},
         {
-            "front_no_slow_slip.x_arrest": ([0.0561, 0.0839], [0.0559, 0.0841, None]),
-            "front.in_words.x_from": ([], [None]),
-            "front_no_slow_slip": ([], [None]),
+            "no_slow_slip": {"x_arrest": 0.07, "L": L},
+            "fronts": by_way({"in_words": {"x_from": 0.07}}),
+        },
+        {
+            "no_slow_slip.x_arrest": ([0.0561, 0.0839], [0.0559, 0.0841, None]),
+            "fronts.primary.in_words.x_from": ([], [None]),
         },
     ),
     "3C": Example(
-        {f"own_slip_{run}": SLIPS for run in ("stopped", "half", "double")},
+        [SLIPS] * 3,  # for <t_R> as it is, half and double
         {
-            "own_slip_half.fast_slip": ([1.099], [1.101]),
-            "own_slip_double.fast_slip": ([0.91], [0.9]),
-            "own_slip_stopped.slow_r_squared": ([0.95], [0.949]),
-            "own_slip_half.slow_r_squared": ([], [0.949]),
-            "own_slip_double.slow_r_squared": ([], [None]),
-            "own_slip_double": ([], [None]),
+            "1.fast_slip": ([1.099], [1.101]),
+            "2.fast_slip": ([0.91], [0.9]),
+            "0.slow_r_squared": ([0.95], [0.949]),
+            "1.slow_r_squared": ([], [0.949]),
+            "2.slow_r_squared": ([], [None]),
+            "0.fast_slip": ([], [None]),
         },
     ),
     "3C-begin": Example(
-        {"own_slip_stopped": COURSE},  # half of the fast slip at the rupture, 0.2 ms of arrest
+        [COURSE],  # half of the fast slip at the rupture, 0.2 ms of arrest
         {
-            "own_slip_stopped.t_rupture": ([1.099e-3, 0.901e-3], [1.101e-3, 0.899e-3]),
-            "own_slip_stopped.time.4": ([2.099e-3], [2.101e-3]),
-            "own_slip_stopped.slip.3": ([1.099e-5], []),
-            "own_slip_stopped.fast_slip": ([], [None]),  # it never stops
+            "0.t_rupture": ([1.099e-3, 0.901e-3], [1.101e-3, 0.899e-3]),
+            "0.time.4": ([2.099e-3], [2.101e-3]),
+            "0.slip.3": ([1.099e-5], []),
+            "0.fast_slip": ([], [None]),  # it never stops
         },
-        within=[{"own_slip_stopped.time.4": 1.1201e-3, "own_slip_stopped.time.3": 1.11e-3}],
+        within=[{"0.time.4": 1.1201e-3, "0.time.3": 1.11e-3}],
         beyond=[
-            {"own_slip_stopped.time.4": 1.1199e-3, "own_slip_stopped.time.3": 1.11e-3},
-            {"own_slip_stopped.slip.3": 1.101e-5, "own_slip_stopped.time.3": 1.11e-3},
+            {"0.time.4": 1.1199e-3, "0.time.3": 1.11e-3},
+            {"0.slip.3": 1.101e-5, "0.time.3": 1.11e-3},
         ],
     ),
     "3C-inset": Example(
-        {"slope": {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0}},
+        {"fits": by_way(FIT), "varied": [], "event": FIT},
         {
-            "slope.slope": ([0.75, 1.25], [0.749, 1.251, None]),
-            "slope.exponent": ([0.901, 1.099], [0.899, 1.101, None]),
-            "slope.r_squared": ([], [0.949]),
+            "fits.primary.slope": ([0.75, 1.25], [0.749, 1.251, None]),
+            "fits.primary.exponent": ([0.901, 1.099], [0.899, 1.101, None]),
+            "fits.primary.r_squared": ([], [0.949]),
         },
     ),
     "3C-neighbours": Example(
-        {"neighbours": {"largest": 1.2}}, {"neighbours.largest": ([], [1.201, None])}
+        {"rows": [{"variant": "reference", "per_block": {"x": [0.0, 2.5e-3], "speed": [1, 1.2]}}]},
+        {"rows.0.per_block.speed.1": ([], [1.201, 0.0]), "rows.0.variant": ([], ["t_R"])},
     ),
     "3D": Example(
-        {"scaling": SLOPES},
+        by_way({"full": FIT | {"slope": 1.8}, "simplified": FIT | {"slope": 1.5}}),
         {
-            "scaling.exponent_full": ([0.901, 1.099], [0.899, 1.101, None]),
-            "scaling.exponent_simplified": ([0.901, 1.099], [0.899, 1.101, None]),
-            "scaling.r_squared_full": ([], [0.949]),
-            "scaling.r_squared_simplified": ([], [0.949, None]),
-            "scaling.difference": ([], [0.201]),
+            "primary.full.exponent": ([0.901, 1.099], [0.899, 1.101, None]),
+            "primary.simplified.exponent": ([0.901, 1.099], [0.899, 1.101, None]),
+            "primary.full.r_squared": ([], [0.949]),
+            "primary.simplified.r_squared": ([], [0.949, None]),
+            "primary.full.slope": ([1.202], [1.802, 1.198]),
         },
     ),
     "3D-length": Example(
-        {"lengths": {"l_0": 7e-3}},
-        {"lengths.l_0": ([5.251e-3, 8.749e-3], [5.249e-3, 8.751e-3, None])},
+        [lengths(7e-3)],
+        {"0.l_0.primary": ([5.251e-3, 8.749e-3], [5.249e-3, 8.751e-3, None])},
     ),
     "3D-stiffness": Example(
-        {"by_stiffness": {"fronts": 3, "least_step": 1e-6, "l_0": [7e-3]}},
-        {"by_stiffness.fronts": ([], [2]), "by_stiffness.least_step": ([], [0.0, -1e-6, None])},
+        [lengths(x) for x in (None, None, 6e-3, 7e-3, 8e-3)],
+        {"3.l_0.primary": ([], [6e-3, 5e-3, None]), "4.l_0.primary": ([], [7e-3])},
     ),
     "no-slip-force": Example(
-        {"no_slow": {"widest": 0.049, "arrested": 1, "slow": 0, "fast": 1}},
         {
-            "no_slow.slow": ([3], []),  # a band that the grid has met by chance
-            "no_slow.widest": ([], [0.05]),
-            "no_slow.arrested": ([], [0]),
-            "no_slow.fast": ([], [0]),
+            "fronts": [front(kind) for kind in ("arrested", "fast", "slow")],
+            "bands": [bands(0.0029), bands(0.0)],
+        },
+        {
+            "bands.1.0.primary.fast": ([0.1029], [0.1031]),
+            "fronts.0": ([], [front("slow")]),  # none is arrested
+            "fronts.1": ([], [front("slow")]),  # none is fast
         },
     ),
     "4AB": Example(
-        {"front": {"type": "slow"}, "front_wider": {"type": "fast"}} | MEANS,
-        MEANS_DIFFER
-        | {
-            "front.type": ([], ["fast"]),
-            "front_wider.type": ([], ["slow"]),
-            "front_wider": ([], [None]),
-        },
+        {"fronts": by_way({"type": "slow"}), "wider": by_way({"type": "fast"})} | MEANS,
+        MEANS_DIFFER | {"wider.primary.type": ([], ["slow"])},
     ),
     "4C": Example(
-        GATHERING,
+        {"deviation": 0.02, "near": 0.9, "on_map": 0.71, "over_events": by_way([3, 0.71])},
         {
-            "deviation.largest": ([], [0.0201]),
-            "shown.near": ([], [0.89]),
-            "on_map.share": ([], [0.709, None]),
-            "over_events.share": ([], [0.709]),
+            "deviation": ([], [0.0201]),
+            "near": ([], [0.89]),
+            "on_map": ([], [0.709, None]),
+            "over_events.primary.1": ([], [0.709]),
         },
     ),
     "4C-stress": Example(
         {
-            "front": {
-                "c_s": C_S,
-                "x": [0.02, 0.03, 0.04, 0.05, 0.06],  # the first is in the loading zone
-                "v_c": [C_S / 21, C_S / 21, C_S / 19, C_S / 19, -C_S / 19],
-            },
+            "fronts": by_way(
+                {
+                    "c_s": C_S,
+                    "x": [0.02, 0.03, 0.04, 0.05, 0.06],  # the first is in the loading zone
+                    "v_c": [C_S / 21, C_S / 21, C_S / 19, C_S / 19, -C_S / 19],
+                }
+            ),
             "strength": {"tau_bar_0": [9.0, 0.29, 0.35, 0.35, 9.0]},
         },
-        {"strength.tau_bar_0.1": ([0.349], [0.35]), "front.v_c.1": ([], [None])},
+        {"strength.tau_bar_0.1": ([0.349], [0.35])},
     ),
-    "4D": Example({"order": NUMBERS}, OUT_OF_ORDER),
+    "4D": ORDER,
     "4D-edge": Example(
-        {"edge": {"difference": 0.002, "change": 1.0}}, {"edge.difference": ([], [0.0021])}
+        # with slow slip, and without, at two sigma_bar
+        [[dict.fromkeys(CONVENTIONS, {"slow": x, "fast": 0.1}) for x in (0.05, 0.1)]] * 2,
+        {"0.1.primary.slow": ([0.0981, 0.1019], [0.0979, 0.1021])},
     ),
     "5A": Example(
         {
-            "front": LINE | {"in_words": {"duration": 0.8e-3}},
-            "front_undriven": {"t_rupture": [0.0, 9.0, 2e-3, 3e-3]},  # 9 s come before the stop
-            "amid": 1.5e-3,
+            "fronts": by_way(LINE | {"in_words": {"duration": 0.8e-3}}),
+            "undriven": {"t_rupture": [0.0, 9.0, 2e-3, 3e-3]},  # 9 s come before the stop
+            "stop": 1.5e-3,
         },
         {
-            "front_undriven.t_rupture.3": ([3.0399e-3], [3.0401e-3, None]),
-            "front_undriven.t_rupture.2": ([], [1.9599e-3]),
-            "amid": ([], [0.5e-3]),
+            "undriven.t_rupture.3": ([3.0399e-3], [3.0401e-3, None]),
+            "undriven.t_rupture.2": ([], [1.9599e-3]),
+            "stop": ([], [0.5e-3]),
         },
     ),
     "5B": Example(
@@ -266,97 +326,124 @@ EXAMPLES = {
     ),
     "no-slip-force-driven": Example(
         {
-            "measured": {
-                "events": [
+            "events": by_way(
+                [
                     {"spanning": False, "c_s": C_S, "in_words": {"fast_before": C_S}},
                     {"spanning": True, "c_s": C_S, "in_words": None},
                     {"spanning": True, "c_s": C_S, "in_words": {"fast_before": C_S / 10.1}},
                 ]
-            },
+            ),
             "stretch": {"speed": 0.967},
         },
         {
-            "measured.events.2.in_words.fast_before": ([None], [C_S / 9.9]),
-            "measured.events.2.spanning": ([False], []),
+            "events.primary.2.in_words.fast_before": ([None], [C_S / 9.9]),
+            "events.primary.2.spanning": ([False], []),
             "stretch.speed": ([], [0.969, None]),
         },
-        beyond=[{"measured.events.1.spanning": False, "measured.events.2.spanning": False}],
+        beyond=[{"events.primary.1.spanning": False, "events.primary.2.spanning": False}],
     ),
     "S1": Example(
-        {"symmetry": {"of_p": 1e-9, "of_tau": 1e-9, "sum_of_p": 1e-9, "over_lever": 1.0}},
+        {"unloaded": FORCES, "before": MOVED, "h": 1.75e-3},  # the centroid moves by 3.5 mm
         {
-            "symmetry.over_lever": ([0.991, 1.009], [0.989, 1.011]),
-            "symmetry.of_p": ([], [1.1e-9]),
-            "symmetry.of_tau": ([], [1.1e-9]),
-            "symmetry.sum_of_p": ([], [1.1e-9]),
+            "h": ([1.75e-3 / 1.009, 1.75e-3 / 0.991], [1.75e-3 / 1.011, 1.75e-3 / 0.989]),
+            "unloaded.p.0": ([1 + 1.2e-9], [1 + 1.4e-9]),  # not symmetric: the mean is 4/3
+            "unloaded.p.1": ([2 + 3.9e-9], [2 + 4.1e-9]),  # the sum is another one
+            "unloaded.tau.1": ([0.9e-9], [1.1e-9]),
         },
     ),
     "S2": Example(
-        {
-            "event": SIMPLIFIED,
-            "measured": {"events": [SIMPLIFIED | {"t_start": 5.0, "t_end": 6.0}, SIMPLIFIED]},
-            "front_without": {"type": "arrested", "slow": None},
-        },
-        {
-            "measured.events.1.type": ([], ["arrested"]),
-            "measured.events.1.slow.fast_before": ([], [99.0, None]),
-            "measured.events.1.slow.duration": ([], [0.49e-3]),
-            "measured.events": ([], [[]]),
-            "front_without.slow": ([], [{"speed": 1.0}]),
-        },
+        [by_way(SIMPLIFIED), by_way({"type": "arrested", "slow": None})],
+        {"1.primary.slow": ([], [{"speed": 1.0}])},
     ),
     "S3": Example(
-        {"deviation": dict.fromkeys(PRESTRESSED, 1e-9)},
-        {f"deviation.{name}": ([], [1.1e-9]) for name in PRESTRESSED},
+        [INTERFACE] * 2,
+        {
+            "0.before.tau.1": ([], [PRESTRESS[1] * UP]),
+            "0.later.tau.0": ([PRESTRESS[0] * (1 + 0.9e-9)], [PRESTRESS[0] * UP]),
+            "0.depinned.tau.0": ([], [0.17 * UP]),
+            "0.depinned.tau.1": ([], [PRESTRESS[1] * UP]),
+            "0.before.F_N": ([], [2 * UP]),
+        },
     ),
     "S3-trigger": Example(
-        {"deviation": {"force_drop": 9.0, "force_drops_differ": 1e-9}},
-        {"deviation.force_drops_differ": ([], [1.1e-9])},
+        [INTERFACE] * 2,
+        {
+            "1.depinned.tau.0": ([0.17 + 6e-11], [0.17 + 8e-11]),
+            "0.before.tau.0": ([], [PRESTRESS[0] + 8e-11]),
+            "1.depinned.tau.1": ([9.0], []),
+        },
     ),
-    "S4": Example(MEANS | {"widened": {"p": 0.011}}, MEANS_DIFFER | {"widened.p": ([], [0.01])}),
+    "S4": Example(
+        MEANS | {"uniform": {"p": 0.011, "blocks": 1, "distance": 0.0}},
+        MEANS_DIFFER | {"uniform.p": ([], [0.01])},
+    ),
     "S4-begin": Example(
         {
-            "front": {
-                "x": [0.02, 0.03, 0.034, 0.035],  # 0.25 L is 0.035
-                "L": L,
-                "t_rupture": [1e-3, 2e-3, 3e-3, 4e-3],
-                "in_words": {"duration": 1e-3},
-            },
-            "front_wider": {"t_rupture": [None, 2e-3, 3e-3, 9.0]},
+            "fronts": by_way(
+                {
+                    "x": [0.02, 0.03, 0.034, 0.035],  # 0.25 L is 0.035
+                    "L": L,
+                    "t_rupture": [1e-3, 2e-3, 3e-3, 4e-3],
+                    "in_words": {"duration": 1e-3},
+                }
+            ),
+            "wider": by_way({"t_rupture": [None, 2e-3, 3e-3, 9.0]}),
             "block": 0,
         },
         {
-            "front_wider.t_rupture.1": ([], [2.051e-3]),
-            "front_wider.t_rupture.2": ([2.951e-3, 3.049e-3], [2.949e-3, 3.051e-3, None]),
+            "wider.primary.t_rupture.1": ([], [2.051e-3]),
+            "wider.primary.t_rupture.2": ([2.951e-3, 3.049e-3], [2.949e-3, 3.051e-3, None]),
         },
     ),
     "S5": Example(
-        {"deviation": dict.fromkeys(CURVES, 1e-6) | {"falls": True}},
-        {f"deviation.{name}": ([], [1.1e-6]) for name in CURVES}
-        | {"deviation.falls": ([], [False])},
+        # 1 - sqrt(3) 0.1 and 1 - sqrt(3) 0.2 of the uniform shape
+        [
+            {"sigma_bar": [0.1, 0.2], "mu_bar": of, "quadrature": of}
+            for of in ([0.8267949192431123, 0.6535898384862245], [0.9, 0.8])
+        ],
+        {
+            "0.mu_bar.1": ([0.6535898384862245 + 0.9e-6], [0.6535898384862245 + 1.1e-6]),
+            "0.quadrature.1": ([], [0.6535898384862245 - 1.1e-6]),
+            "1.quadrature.0": ([], [0.9 + 1.1e-6]),
+        },
+        beyond=[
+            {"1.mu_bar": [0.8, 0.8], "1.quadrature": [0.8, 0.8]},
+            {"0.mu_bar.1": 0.6536, "0.quadrature.1": 0.6536},
+        ],
     ),
     "S6A": FAST_SLOW_FAST,
-    "S6B": Example({"order": NUMBERS}, OUT_OF_ORDER),
+    "S6B": ORDER,
     "S6B-range": Example(
-        {"order": {"slow_range": 0.08}, "reference": {"slow_range": 0.07}},
-        {"order.slow_range": ([], [0.07, 0.06, None])},
+        (slow_range(3), slow_range(2)),
+        beyond=[Instead(sample=(slow_range(2), slow_range(2)))]
+        + [Instead(sample=(slow_range(1), slow_range(2)))],
     ),
     "SI-slip": Example(
-        {"reference": {SLIP_AFTER_TWO_T_R: 0.0, NET_SLIP: 8.5}, "unbreakable": {NET_SLIP: 5.187}},
+        {"reference": {NET_SLIP: 8.5} | OTHERS_OF_SLIP, "unbreakable": {NET_SLIP: 5.187}},
         {
             f"reference.{NET_SLIP}": ([8.1, 8.9], [8.09, 8.91]),
             f"unbreakable.{NET_SLIP}": ([], [5.186, 5.188]),
         },
     ),
     "SI-time": Example(
-        {"reference": {"duration_over_t_R": 2.0}},
+        {"reference": {"duration_over_t_R": 2.0} | OTHERS_OF_TIME},
         {"reference.duration_over_t_R": ([1.6, 2.4], [1.59, 2.41])},
     ),
     "exponential-event": FAST_SLOW_FAST,
     "exponential-map": Example(
-        {"counts": {"arrested": 1, "slow": 1, "fast": 1, "out_of_order": 0}},
-        {f"counts.{kind}": ([], [0]) for kind in ("arrested", "slow", "fast")}
-        | {"counts.out_of_order": ([], [1])},
+        IN_ORDER,
+        beyond=[
+            Instead(sample=map_of(*kinds))
+            for kinds in (
+                ("slow", "slow", "fast"),
+                ("arrested", "arrested", "fast"),
+                ("arrested", "slow", "slow"),
+                ("arrested", "slow", "fast", "slow"),
+            )
+        ],
     ),
-    "geometry": Example({"order": NUMBERS}, OUT_OF_ORDER),
+    "geometry": Example(
+        {"one": IN_ORDER, "other": IN_ORDER},
+        beyond=[Instead(sample={"one": IN_ORDER, "other": of}) for of in (TWO_TYPES, TURNED)],
+    ),
 }

@@ -1,57 +1,62 @@
 """The judge of claims: conditions, shares and the four verdicts, and the table of claims itself."""
 
-from math import isfinite
+import re
+from math import isfinite, nan
 from unittest import mock
 
 from pytest import mark, raises
-
-from claims import cases, judge
-from claims.conditions import RELATIONS, as_number, met
-from claims.judge import PRIMARY, holds, interval, interval_of, judged, table, unmet, unmet_text
-from conftest import ROOT, approx
-from made_up import Made
 from rupture.errors import Failure
 
-ROW: dict = {"recipe": "fig0", "says": "something", "accepted": "if it is", "kind": "finding"}
-ROW |= {"fixed": "today", "shown": "shown", "measured": {"x": "x"}}
-OTHER: dict = {"under": {"other": {"with": {"x": "other"}}}}
-OF_UNITS: dict = {"unit": "run", "each": "case in units: of.cases", "ways": True}
-OF_UNITS["with"] = {"x": "case.x"}
-OF_UNITS |= {"in_picture": {"x": "x_shown"}, "among": {"spanning events": "case.spans"}}
-OF_UNITS |= {"counts": {"with more": "x > 2", "that it holds for": "holds"}}
-OF_EACH: dict = {"each": "units", "with": {"x": "of.x"}, "in_picture": {"x": "x_shown"}}
+from claims import judge
+from claims.conditions import RELATIONS, as_number, met
+from claims.judge import as_written, by_convention, holds, interval, interval_of, judged, shares_of
+from claims.judge import unmet, unmet_text
+from claims.samples import Samples, Sampling, Unit, sampled
+from claims.table import read, rows_of, table, ways_of
+from conftest import ROOT, approx
+from measure.conventions import PRIMARY
+
+ROW: dict = {"id": "row", "says": "something", "accepted": "if it is", "kind": "finding"}
+ROW |= {"fixed": "today"}
+OTHER: dict = {"ways": ["other"]}
 ROWS: dict[str, dict] = {
     "all": {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
-    "one": {"conditions": {"x": {"above": 2}}} | OF_UNITS,
+    "one": {"conditions": {"x": {"above": 2}}, "unit": "run", "one_of": "spanning events"} | OTHER,
     "alone": {"conditions": {"x": {"below": 1}}},
-    "two": {"conditions": {"x": {"below": 1}}, "with": {"x": "first"}} | OTHER,
-    "any": {"conditions": {"x": {"below": 1}}, "if": "x is not None", "ways": True} | OF_EACH,
-    "state": {"conditions": {"x": {"below": 1}}, "unit": "seed", "ways": True} | OF_EACH,
-    "events": {"conditions": {"x": {"below": 1}}, "unit": "event", "if": "known"} | OF_EACH,
+    "two": {"conditions": {"x": {"below": 1}}} | OTHER,
+    "any": {"conditions": {"x": {"below": 1}}, "unit": "event"} | OTHER,
+    "state": {"conditions": {"x": {"below": 1}}, "unit": "seed"} | OTHER,
+    "events": {"conditions": {"x": {"below": 1}}, "unit": "event"},
     "unstated": {"conditions": {}},
 }
-MADE_UP = {name: ROW | row | {"id": name} for name, row in ROWS.items()}
+MADE_UP = {name: ROW | row for name, row in ROWS.items()}
 GOOD, BAD = 3, 1
 LOW, HIGH = 0, 2
 
 
+def measured(sample, way):
+    """A sample is x by way; x is a number, or those of several cases, of which one is enough."""
+    x = sample.get(way, sample[PRIMARY])
+    if x is None:
+        return None
+    return [{"x": one} for one in x] if isinstance(x, list) else {"x": x}
+
+
+def seed(x, **others):
+    return Unit(None, {PRIMARY: x} | others)
+
+
 def run(*xs, **others):
-    """A unit with cases of these x; under other ways to measure it has others."""
-    listed = {way: {"cases": [{"x": x, "spans": True} for x in of]} for way, of in others.items()}
-    return Made(of={"cases": [{"x": x, "spans": True} for x in xs], "under": listed})
+    return seed([*xs], **others)
 
 
 def runs(good, bad, **others):
     """So many units for which it holds, and does not; of all, so many under other ways."""
-    found = [run(BAD, GOOD) for _ in range(good)] + [run(BAD) for _ in range(bad)]
-    for way, count in others.items():
-        for n, unit in enumerate(found):
-            unit["of"]["under"] |= run(GOOD, **{way: [GOOD if n < count else BAD]})["of"]["under"]
-    return found
-
-
-def seed(x, **others):
-    return Made(of={"x": x, "under": {way: {"x": of} for way, of in others.items()}}, known=True)
+    found = [[BAD, GOOD]] * good + [[BAD]] * bad
+    return [
+        run(*xs, **{way: [GOOD if n < count else BAD] for way, count in others.items()})
+        for n, xs in enumerate(found)
+    ]
 
 
 FEW = "(primary); too few runs for a verdict"
@@ -80,8 +85,7 @@ OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
 
 
 def seeds(held, other):
-    """Five or more runs: it holds for `held` of them, and for `other` by the other way to
-    measure."""
+    """Five or more: it holds for `held` of them, and for `other` by the other way to measure."""
     return [
         seed(LOW if n < held else HIGH, other=LOW if n < other else HIGH)
         for n in range(max(held, 5))
@@ -89,62 +93,61 @@ def seeds(held, other):
 
 
 JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reason ends
-    ("alone", LOW, [], "reproduced", "holds"),
-    ("alone", HIGH, [], "differs", "does not hold"),
+    ("alone", LOW, None, "reproduced", "holds"),
+    ("alone", HIGH, None, "differs", "does not hold"),
     ("one", GOOD, [], None, "only the case shown was judged, no other runs"),
     ("one", GOOD, runs(4, 0), None, "only the case shown was judged, no other runs"),
-    ("unstated", None, [], "not comparable", "gives no number to compare with; ours are reported"),
+    (
+        "unstated",
+        None,
+        None,
+        "not comparable",
+        "gives no number to compare with; ours are reported",
+    ),
     *(("one", shown, found, *said) for shown, found, *said in OVER_UNITS),
     ("state", LOW, seeds(3, 3), "reproduced", "holds in all of the 2 ways to measure"),
     ("state", LOW, seeds(3, 2), "depends", "of the 2 ways to measure, does not hold in other"),
     ("state", LOW, seeds(2, 0), "differs", "holds in none of the 2 ways to measure"),
-    ("two", (LOW, LOW), [], "reproduced", "holds in all of the 2 ways to measure"),
-    ("two", (HIGH, HIGH), [], "differs", "holds in none of the 2 ways to measure"),
-    ("two", (LOW, HIGH), [], "depends", "of the 2 ways to measure, does not hold in other"),
-    ("two", (HIGH, LOW), [], "depends", "of the 2 ways to measure, does not hold in primary"),
+    ("two", (LOW, LOW), None, "reproduced", "holds in all of the 2 ways to measure"),
+    ("two", (HIGH, HIGH), None, "differs", "holds in none of the 2 ways to measure"),
+    ("two", (LOW, HIGH), None, "depends", "of the 2 ways to measure, does not hold in other"),
+    ("two", (HIGH, LOW), None, "depends", "of the 2 ways to measure, does not hold in primary"),
     ("events", LOW, seeds(19, 0) + seeds(0, 0)[:1], "reproduced", "19 of 20 events (primary)"),
     ("events", LOW, seeds(18, 0) + seeds(0, 0)[:2], "depends", "too few events for a verdict"),
     ("events", None, seeds(5, 0), "not comparable", "it could not be measured"),
-    ("any", LOW, seeds(0, 1), "reproduced", "holds in all of the 2 ways to measure"),
-    ("any", LOW, seeds(5, 0), "depends", "of the 2 ways to measure, does not hold in other"),
-    ("any", None, seeds(1, 1), "not comparable", "it could not be measured"),
 ]
 
 
-FAILED = Made()
-FAILED.status = "failed"
-OF_RUNS: dict = {"unit": "run", "ways": False}
-BRANCHES: dict = {"under": {"further": {"each": "others"}, "less": {"with": {"x": "of.x - 2"}}}}
-SHARES = [  # a claim, what is changed in it, its units, and for how many of how many it holds
-    # A unit without a case counts against it, and so does a point that failed.
+FAILED = Unit(None, Failure("it was refused"))
+BRANCHES = {"further": [seed(LOW), seed(HIGH)]}
+SHARES: list = [  # a claim, other units, units, and for how many of how many it holds
+    # A unit without a case counts against it, and so does one that failed.
     ("one", {}, [run(GOOD, other=[]), run(GOOD, other=[GOOD])], {PRIMARY: (2, 2), "other": (1, 2)}),
-    ("one", OF_RUNS, [*runs(5, 0), FAILED], {PRIMARY: (5, 6)}),
-    ("state", OF_RUNS, [*seeds(5, 0), FAILED], {PRIMARY: (5, 6)}),
+    ("events", {}, [*seeds(5, 0), FAILED], {PRIMARY: (5, 6)}),
+    ("state", {}, [*seeds(5, 5), FAILED], {PRIMARY: (1, 1), "other": (1, 1)}),
     # Where there is nothing to compare, there is no unit.
-    ("any", {"unit": "run"}, [seed(LOW), seed(HIGH), seed(None)], {PRIMARY: (1, 2)}),
-    # A branch is another convention.
-    ("any", OF_RUNS | BRANCHES, [seed(HIGH)], {PRIMARY: (0, 1), "further": (1, 2), "less": (1, 1)}),
+    ("events", {}, [seed(LOW), seed(HIGH), seed(None)], {PRIMARY: (1, 2)}),
+    # A branch is another convention, after the ways to measure.
+    ("any", BRANCHES, [seed(HIGH)], {PRIMARY: (0, 1), "other": (0, 1), "further": (1, 2)}),
 ]
 
 
-def shown_of(x):
-    """The point in the picture; one that cannot be compared if there is no x."""
-    if isinstance(x, tuple):
-        return [Made(zip(("first", "other"), x))]
-    return [Made(x=x, x_shown=x, of={"x": x}, known=x is not None)]
+def samples(shown, units):
+    """None: of one state."""
+    by_way = dict(zip((PRIMARY, "other"), shown if isinstance(shown, tuple) else (shown,)))
+    return Samples({"": by_way}, {} if units is None else {PRIMARY: units})
 
 
-@mock.patch.object(judge, "table", lambda _: MADE_UP)
 class TestJudge:
     def test_bounds_belong_to_the_range_and_all_conditions_count(self):
         for x, kind, expected in (
             *((0.25, "fast", True), (0.5, "fast", True), (0.2499, "fast", False)),
             *((0.5001, "fast", False), (0.3, "slow", False), (None, "fast", False)),
         ):
-            assert holds("all", [{"x/L": x, "type": kind}]) == expected, (x, kind)
+            assert holds(MADE_UP["all"], [{"x/L": x, "type": kind}]) == expected, (x, kind)
 
     def test_names_what_is_not_met(self):
-        assert unmet("all", {"x/L": 0.7, "type": "slow"}) == ["x/L", "type"]
+        assert unmet(MADE_UP["all"], {"x/L": 0.7, "type": "slow"}) == ["x/L", "type"]
 
     def test_says_what_was_wanted_and_what_there_is(self):
         between = {"at_least": "1/200", "at_most": "1/50"}
@@ -154,59 +157,70 @@ class TestJudge:
             ({"above": 2}, 1.25, "v is 1.25 c_s, not above 2 c_s"),
             ("fast", "slow", "v is slow, not fast"),
         ):
-            row = {"row": {"conditions": {"v/c_s": condition}}}
-            with mock.patch.object(judge, "table", lambda _, row=row: row):
-                assert unmet_text("row", {"v/c_s": value}) == text
-        close = unmet_text("all", {"x/L": 0.50001, "type": "fast"})
+            assert unmet_text({"conditions": {"v/c_s": condition}}, {"v/c_s": value}) == text
+        close = unmet_text(MADE_UP["all"], {"x/L": 0.50001, "type": "fast"})
         assert close == "x/L is 0.50001, not 1/4 to 0.5"
-        assert unmet_text("one", {"x": 1.98765}) == "x is 1.99, not above 2"
+        assert unmet_text(MADE_UP["one"], {"x": 1.98765}) == "x is 1.99, not above 2"
 
     def test_a_quantity_nobody_measured_is_an_error(self):
         with raises(KeyError):
-            holds("alone", [{"y": 1}])
+            holds(MADE_UP["alone"], [{"y": 1}])
 
-    @mark.parametrize("claim_id, shown, units, verdict, reason", JUDGED)
-    def test_a_verdict_and_its_reason(self, claim_id, shown, units, verdict, reason):
-        claim = judged(claim_id, {"shown": shown_of(shown), "units": units})
+    def test_what_is_not_known_is_null_and_what_is_so_is_yes(self):
+        assert as_written([nan, 1.0, True, False, "no", None]) == [None, 1, "yes", "no", "no", None]
+
+    @mark.parametrize("name, shown, units, verdict, reason", JUDGED)
+    def test_a_verdict_and_its_reason(self, name, shown, units, verdict, reason):
+        shown = [shown] if name == "one" else shown
+        claim = judged(MADE_UP[name], measured, samples(shown, units))
         because, _, wanted = claim.reason.partition(" (x is ")
-        because = because.partition("; 20 of")[0] if "spanning" in because else because
-        because = because.rpartition("; ")[0] if because.endswith("spanning events") else because
+        because = re.sub(r"; \d+ of \d+ spanning events$", "", because)
         assert (claim.verdict, because[-len(reason) :]) == (verdict, reason)
         assert bool(wanted) == (claim.case == "does not hold")
 
     def test_one_state_has_a_share_without_interval(self):
-        shares = judge.shares_of(MADE_UP["state"], {"units": seeds(3, 3)})
+        found = by_convention(MADE_UP["state"], measured, {PRIMARY: seeds(3, 3)})
+        shares = shares_of(MADE_UP["state"], found)
         assert [(s.units, s.low, s.high) for s in shares] == 2 * [(1, None, None)]
 
-    @mark.parametrize("name, changed, units, expected", SHARES)
-    def test_shares(self, name, changed, units, expected):
-        chains = {"units": units, "others": [seed(LOW), seed(HIGH)]}
-        shares = judge.shares_of(MADE_UP[name] | changed, chains)
-        assert {s.convention: (s.holds, s.units) for s in shares} == expected
+    @mark.parametrize("name, others, units, expected", SHARES)
+    def test_shares(self, name, others, units, expected):
+        row = MADE_UP[name]
+        shares = shares_of(row, by_convention(row, measured, {PRIMARY: units} | others))
+        found = {s.convention: (s.holds, s.units) for s in shares}
+        assert (found, [*found]) == (expected, [*expected])
+
+    def test_units_of_a_run_share_its_history(self):
+        units = {PRIMARY: [Unit(n // 5, {PRIMARY: LOW if n < 50 else HIGH}) for n in range(100)]}
+        [share] = shares_of(MADE_UP["events"], by_convention(MADE_UP["events"], measured, units))
+        assert (share.low, share.high) == approx((0.3, 0.7))
 
     def test_counts_spanning_events_where_one_is_enough(self):
         units = [run(GOOD, BAD, BAD) for _ in range(20)]
-        units[0]["of"]["cases"][0]["spans"] = False
-        found = judged("one", {"shown": shown_of(GOOD), "units": units})
-        assert found.reason.endswith("; 19 of 59 spanning events")
+        found = judged(MADE_UP["one"], measured, samples([GOOD], units))
+        assert found.reason.endswith("; 20 of 60 spanning events")
 
-    def test_counts_units_that_have_run(self):
-        for units, counts in ((runs(3, 2), "3 of 5"), ([], "not run")):
-            found = judged("one", {"shown": shown_of(GOOD), "units": units}).measured
-            assert found == {"x": 3, "with more": counts, "that it holds for": counts}
+    def test_counts_units_of_which_a_quantity_is_known_and_not_no(self):
+        row = MADE_UP["one"] | {"counts": {"with more": "more"}}
+
+        def more(sample, way):
+            return [case | {"more": case["x"] > 2 or None} for case in measured(sample, way)]
+
+        for units, count in ((runs(3, 2), "3 of 5"), ([], "not run")):
+            found = judged(row, more, samples([GOOD], units)).measured
+            assert found == {"x": 3, "more": "yes", "with more": count}
 
     def test_several_cases_are_shown_and_the_first_decides(self):
-        row = MADE_UP["alone"] | {"shown": {"II": "shown", "I": "units"}}
-        with mock.patch.object(judge, "table", lambda _: {"alone": row}):
-            found = judged("alone", {"shown": shown_of(LOW), "units": shown_of(HIGH)})
+        shown = Samples({"II": {PRIMARY: LOW}, "I": {PRIMARY: HIGH}})
+        found = judged(MADE_UP["alone"], measured, shown)
         assert (found.measured, found.case) == ({"II: x": LOW, "I: x": HIGH}, "holds")
 
     def test_a_name_that_does_not_exist_is_named_with_the_claim(self):
-        row = MADE_UP["alone"] | {"measured": {"x": "y"}}
-        with raises(Failure, match="claims.toml, claim alone: 'y': there is no y"):
-            cases.Names(row, Made(x=1)).case()
-        with raises(Failure, match="a row of claims.toml needs 'shown'"):
-            judge.judge("fig0", {})
+        for name, module in (("nothing", "figS3.commands"), ("none.of", "figS3.none")):
+            row = ROW | {"recipe": "figS3", "measured": name, "samples": name}
+            with mock.patch.object(judge, "rows_of", lambda _, row=row: [row]):
+                with raises(Failure, match=f"claims.toml, claim row, 'measured': .*{module}"):
+                    judge.judge("figS3")
 
     def test_interval(self):
         assert interval(0, 20)[0] == 0
@@ -228,17 +242,41 @@ class TestJudge:
                 met(condition, 1)
 
 
+def test_samples_are_computed_or_those_count_that_are_there(monkeypatch):
+    calls = []
+
+    class Found(list):
+        refused = [((2,), "no such phi")]
+
+    for name in ("each", "known"):
+        found = Found([((3,), "three"), ((1,), "one")])
+        monkeypatch.setattr(
+            f"claims.samples.{name}", lambda *_, name=name, found=found: calls.append(name) or found
+        )
+    for is_whole in (False, True):
+        monkeypatch.setattr(Sampling, "is_whole", is_whole)
+        points, results = zip(*sampled(print, [(1,), (2,), (3,), (4,)]))
+        assert points == ((1,), (2,), (3,))
+        assert (results[0], str(results[1]), results[2]) == ("one", "no such phi", "three")
+    assert calls == ["known", "each"]
+
+
 class TestTable:
     def test_no_claim_belongs_to_two_recipes(self):
-        assert sum(map(len, judge.read("")[1].values())) == len(table())
+        recipes = read("")[1]
+        assert sum(map(len, recipes.values())) == len(table())
+        assert [row["id"] for name in recipes for row in rows_of(name)] == [*table()]
 
     def test_every_row_is_complete(self):
         for row in table().values():
-            assert {"recipe", "says", "fixed", "accepted"} <= set(row)
+            assert {"recipe", "says", "fixed", "accepted", "samples", "measured"} <= set(row)
             assert row["kind"] in ("finding", "check")
-            assert "conditions" in row and "shown" in row and "measured" in row
             assert (ROOT / f"recipes/{row['recipe']}/figure.py").exists()
             for condition in row["conditions"].values():
                 if isinstance(condition, dict):
                     assert condition and set(condition) <= set(RELATIONS)
                     assert all(isfinite(as_number(bound)) for bound in condition.values())
+
+    def test_ways_are_a_set_by_name_or_names(self):
+        found = [ways_of({"ways": ways}) for ways in ("raw", ["a", "b"])]
+        assert [*found, ways_of({})] == [["raw line"], ["a", "b"], ()]

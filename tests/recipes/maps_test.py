@@ -1,42 +1,71 @@
-"""Maps of front types (measure/front_map.py, map_order.py) and shares of pairs (pairs.py)."""
+"""Maps of front types (measure/front_map.py, maps.py, robustness) and shares of pairs (pairs.py)."""
 
 from pytest import mark, raises
+from rupture.errors import Failure
 
+import maps
 from conftest import approx
+from examples import front, map_of
+from measure import front_map
+from measure.conventions import PRIMARY
+from measure.front_map import out_of_order
 from measure.pairs import share_of_lower
-from measure.conventions import CONVENTIONS, PRIMARY, SETS, WAYS
-from measure import front_map, map_order
-from measure.front_map import front_type, out_of_order
-from measure.map_order import in_each_way
-from measure.map_points import boundary_of_variants
+from robustness import commands as robustness
 
-ARRESTED, SLOW, FAST = (
-    {"types": dict.fromkeys(WAYS, kind), "t_rupture": [1.0]} for kind in front_map.TYPES
-)
+ARRESTED, SLOW, FAST = map(front, front_map.TYPES)
 
 
-class TestReadMap:
-    ROW = {"point": "p", "tau-bar": "0.1", "sigma-bar": "0", "numerics.seed": "1"}
+class TestFronts:
+    """Of seeds 1 and 2 at (0.1, 0)."""
 
-    def read(self, result):
-        return front_map.read_map([(self.ROW, result)])
+    def fronts(self, monkeypatch, sentence=""):
+        class Found(list):
+            refused = [((0.1, 0, 2, ""), sentence)] if sentence else []
 
-    def test_an_interface_that_cannot_be_prepared_has_no_front(self):
-        refused = {"status": "failed", "sentence": "no such phi", "checksums": {}}
-        assert self.read(refused) == {(0.1, 0.0): {1: None}}
+        found = Found([((0.1, 0, 1, ""), FAST)])
+        monkeypatch.setattr(maps, "each", lambda *_: found)
+        return maps.fronts_at([(0.1, 0)], [1, 2])
 
-    def test_one_that_could_be_prepared_and_not_run_is_an_error(self):
-        failed = {"status": "failed", "sentence": "the time step is too long"}
-        with raises(ValueError, match="time step is too long"):
-            self.read(failed | {"checksums": {"start.h5": "00"}})
+    def test_an_interface_that_cannot_be_prepared_has_no_front(self, monkeypatch):
+        found = self.fronts(monkeypatch, "prepare: no such phi")
+        assert found == {(0.1, 0): {1: FAST, 2: None}}
 
-    def test_a_front_has_its_types_by_each_way_of_the_chain(self):
-        under = dict.fromkeys(SETS["map"], {"type": "fast"}) | {"stencil 3": {"type": "slow"}}
-        types = {"type": "none", "under": under}
-        (seeds,) = self.read({"front": {"type": "none"}, "types": types}).values()
-        assert (front_type(seeds[1]), front_type(seeds[1], "stencil 3")) == ("arrested", "slow")
-        (seeds,) = self.read({"front": {"type": "slow"}}).values()
-        assert front_type(seeds[1]) == "slow"
+    def test_one_that_could_be_prepared_and_not_run_is_an_error(self, monkeypatch):
+        with raises(Failure, match="time step is too long"):
+            self.fronts(monkeypatch, "restart: the time step is too long")
+
+    def test_a_front_has_its_types_by_each_way(self, monkeypatch):
+        class Type:
+            def __init__(self, kind):
+                self.type = kind
+
+        types = {PRIMARY: Type("none"), "stencil 3": Type("slow")}
+        monkeypatch.setattr(maps, "record_of", lambda *_: "record.h5")
+        monkeypatch.setattr(maps, "by_way", lambda *_: types)
+        monkeypatch.setattr(maps, "run", lambda _: {"type": "none"})
+        found = maps.front_at(0.1, 0, 1, "")
+        kinds = front_map.front_type(found), front_map.front_type(found, "stencil 3")
+        assert kinds == ("arrested", "slow")
+
+
+def test_a_map_has_what_is_halfway_and_seeds_where_the_type_changes(monkeypatch):
+    """On a grid of two tau_bar_0 and two sigma_bar, fast from 0.15 on."""
+    asked = []
+
+    def fronts_at(places, seeds, *_):
+        asked.append((places, [*seeds]))
+        return {(t, s): dict.fromkeys(seeds, FAST if t > 0.14 else SLOW) for t, s in places}
+
+    monkeypatch.setattr(maps, "fronts_at", fronts_at)
+    grid = maps.places_of((0.1, 0.2), (0, 1))
+    found = maps.map_of(grid)
+    halfway = [(0.15, 0), (0.15, 1)]
+    changes = [(0.1, 0), (0.1, 1), *halfway]
+    assert asked == [(grid, [1]), (halfway, [1]), (changes, [1, 2, 3, 4, 5])]
+    assert found.fronts.keys() == {*grid, *halfway}
+    assert [*found.of_seed(4)[0.1, 0]] == [4] and [*found.of_seed(4)[0.2, 0]] == [4]
+    assert found.on_grid()[0.1, 0] == {1: SLOW}
+    assert maps.map_of(grid, "", maps.nowhere).fronts.keys() == {*grid}
 
 
 # tau_bar_0 upwards, sigma_bar to the right:  slow     fast
@@ -84,45 +113,42 @@ def test_what_is_found_on_maps_and_in_pairs(function, arguments, found):
 
 
 class TestSeveralMaps:
-    def test_a_place_at_the_boundary_of_one_variant_is_enough(self):
-        maps = [
-            {(n / 10, 0.0): {1: front} for n, front in enumerate(fronts, 1)}
-            for fronts in ([SLOW, FAST, FAST], [FAST, FAST, FAST])
-        ]
-        assert boundary_of_variants(maps) == [(0.1, 0.0), (0.2, 0.0)]
+    def test_a_place_at_the_boundary_of_one_slider_is_enough(self, monkeypatch):
+        """Also for the other sliders; each of their maps has own fronts of the seed there."""
+        grids = {"one": map_of("slow", "fast", "fast"), "other": map_of("fast", "fast", "fast")}
+        asked = []
 
-    def test_other_seeds_of_variants_are_on_their_maps(self, monkeypatch):
-        def point(tau_bar, kind, seed):
-            row = {"variant": "v", "tau-bar": tau_bar, "sigma-bar": "0", "numerics.seed": seed}
-            return row, {"front": {"type": kind, "under": dict.fromkeys(WAYS, {"type": kind})}}
+        def fronts_at(places, seeds, options, title):
+            asked.append((places, [*seeds], options))
+            return {place: {seed: SLOW for seed in seeds} for place in places}
 
-        grid = [point(str(n), kind, "1") for n, kind in enumerate(front_map.TYPES)]
-        files = grid, [point("1", "fast", "2")]
-        monkeypatch.setattr(map_order, "read_points", lambda file: files[file])
-        monkeypatch.setattr(map_order, "rows_of", list)
-        types = [map_order.main("variants", seed, 0, 1)["types"] for seed in "12"]
-        assert types == [3, 2]
+        monkeypatch.setattr(robustness, "SLIDERS", {"one": "--a", "other": "--b"})
+        monkeypatch.setattr(robustness, "geometry", lambda: grids)
+        monkeypatch.setattr(robustness, "fronts_at", fronts_at)
+        found = robustness.geometry_of_seed(3)
+        places = [(0.0, 0.0), (0.1, 0.0)]
+        assert asked == [(places, [3], "--a"), (places, [3], "--b")]
+        kinds = [front_map.front_type(of[3]) for of in found["other"].values()]
+        assert kinds == ["slow", "slow", "fast"]
 
     def test_the_worst_of_several_maps_counts_in_each_way(self):
-        mixed: dict = {"types": dict.fromkeys(WAYS, "slow") | {"stencil 3": "fast"}}
-        rows: dict = {  # from low to high tau_bar_0
-            "all": [ARRESTED, mixed, FAST],
-            "two": [ARRESTED, FAST, FAST],
-            "out of order": [SLOW, ARRESTED, FAST],
-            "out of order too": [FAST, SLOW, ARRESTED],
-        }
-        maps = {n: {(t / 10, 0.0): {1: f} for t, f in enumerate(of)} for n, of in rows.items()}
-        for names, primary, other in (
-            (["all"], (3, 0), (2, 0)),
-            (["all", "two"], (2, 0), (2, 0)),
-            (["all", "out of order"], (3, 1), (2, 1)),
-            (["out of order", "out of order too"], (3, 2), (3, 2)),
+        mixed = front("slow", **{"stencil 3": "fast"})
+        all_types = map_of("arrested", "slow", "fast") | {(0.1, 0.0): {1: mixed}}
+        two = map_of("arrested", "fast", "fast")
+        back, back_too = map_of("slow", "arrested", "fast"), map_of("fast", "slow", "arrested")
+        for of, primary, other in (
+            ([all_types], (3, 0), (2, 0)),
+            ([all_types, two], (2, 0), (2, 0)),
+            ([all_types, back], (3, 1), (2, 1)),
+            ([back, back_too], (3, 2), (3, 2)),
         ):
-            found = in_each_way({name: maps[name] for name in names})
-            assert (found["types"], found["out_of_order"]) == primary
-            assert [*found["under"]] == [way for way in CONVENTIONS if way != PRIMARY]
-            under = found["under"]["stencil 3"]
-            assert (under["types"], under["out_of_order"]) == other
+            for way, expected in ((PRIMARY, primary), ("stencil 3", other)):
+                found = robustness.order_of_all(dict(enumerate(of)), way)
+                assert tuple(found.values()) == expected
+
+    def test_counts_types_and_what_is_out_of_order(self):
+        found = robustness.order(map_of("slow", "arrested", "fast", "fast"), PRIMARY)
+        assert [*found.values()] == [1, 1, 2, 1]
 
 
 class TestOrderInWords:

@@ -2,14 +2,16 @@
 (recipes/fig3/decay_length.py), and fronts without a slipping force (no_slip_force.py)."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 from pytest import mark
 
-import decay_length
-import no_slip_force
+from claims_test import copied
 from conftest import approx
-from measure.conventions import CONVENTIONS, PRIMARY, WAYS
+from examples import METHODS, front
+from fig3 import decay_length, lengths, no_slip_force
+from measure.conventions import CONVENTIONS, PRIMARY
 
 DX = 3e-3  # [m]
 BLOCKS = 16
@@ -85,41 +87,28 @@ class TestOneFront:
             assert (found["profiles"], found["l_0"][PRIMARY]) == (0, None)
 
 
+def front_with(l_0, **others):
+    return copied({"l_0": METHODS | {PRIMARY: l_0} | others, "profiles": 2 if l_0 else 0})
+
+
 class TestSeveralFronts:
     def test_they_count_equally_and_those_without_a_length_not(self):
-        fronts: list[dict] = [
-            {"l_0": dict.fromkeys(decay_length.METHODS, l_0), "profiles": 2 if l_0 else 0}
-            for l_0 in (1, None, 2, 9)
-        ]
-        fronts[1]["l_0"]["fall to 1/e"] = 5.0
-        found = decay_length.of_fronts(fronts)
-        counts = {"fronts": 3, "profiles": 6, "of_fronts": [1, 9], "of_methods": [2, 3.5]}
-        assert found.items() >= (counts | {"l_0": 2}).items()
-        assert found["under"]["fall to 1/e"] == {"l_0": 3.5}
-        none = decay_length.of_fronts(fronts[1:2])
-        assert (none["l_0"], none["of_fronts"]) == (None, None)
-
-
-def front(kind, slowest=300.0, **types):
-    """A front of this type, and of `types` by other ways. The first twelve speeds [m/s] do not
-    count."""
-    return {
-        "x": [n * DX for n in range(14)],
-        "v_c": [1.0] * 12 + [slowest, 300.0],
-        "t_rupture": [None if kind == "arrested" else 1.0],
-        "criteria": {"skip_below_x": 11 * DX},
-        "types": dict.fromkeys(WAYS, kind) | types,
-    }
+        fronts = [front_with(1e-3 * x) for x in (1, 2, 9)]
+        fronts.insert(1, front_with(None, **{"fall to 1/e": 5e-3, "5 blocks ahead": 2e-3}))
+        found = lengths.length(fronts, PRIMARY)
+        assert [*found.values()] == [approx(2), 3, 6, approx([1, 9]), approx([2, 5])]
+        assert lengths.length(fronts, "fall to 1/e")["l_0 [mm]"] == approx(5)
+        assert [*lengths.length(fronts[1:2], PRIMARY).values()][:4] == [None, 0, 0, None]
 
 
 class TestNoSlipForce:
-    NEARLY_SLOW = front("fast", 90.0, **{"slow below c_s/10": "slow"})
-    FRONTS = [NEARLY_SLOW, front("fast"), front("arrested", 1.0), None]
+    NEARLY_SLOW = front("fast", **{"slow below c_s/10": "slow"})
+    FRONTS = [NEARLY_SLOW, front("fast"), front("arrested"), None]
     NARROW, WIDE, REFERENCE = (
         {name: {"slow": 0.1, "fast": 0.1 + width} for name in CONVENTIONS}
         for width in (0.001, 0.004, 0.06)
     )
-    BANDS = {"0": (NARROW, REFERENCE), "0.1": (NARROW | {"stencil 3": WIDE[PRIMARY]}, REFERENCE)}
+    BANDS = [(NARROW, REFERENCE), (NARROW | {"stencil 3": WIDE[PRIMARY]}, REFERENCE)]
 
     @mark.parametrize(
         "way, widest, kinds",
@@ -130,30 +119,34 @@ class TestNoSlipForce:
         ],
     )
     def test_types_and_the_widest_band_in_each_way(self, way, widest, kinds):
-        found = no_slip_force.found_in(way, self.FRONTS, self.BANDS)
-        expected = dict(zip(("arrested", "slow", "fast"), kinds)) | {"widest": widest}
-        assert found == approx(expected)
+        of = SimpleNamespace(fronts=self.FRONTS, bands=self.BANDS)
+        found = no_slip_force.types(of, way)
+        assert [*found.values()] == approx([4, *kinds, widest])
+
+    def test_the_slowest_stencil_beyond_the_trigger_region_of_a_front_that_spans(self):
+        of = {"x": [0.01, 0.03, 0.04, 0.05], "v_c": [1.0, 300.0, 90.0, -1.0], "t_rupture": [1.0]}
+        of["criteria"] = {"skip_below_x": 0.02}
+        arrested = of | {"t_rupture": [None]}
+        assert [no_slip_force.slowest(one) for one in (of, arrested, None)] == [90, None, None]
 
     def test_what_cannot_be_prepared_is_impossible(self):
         assert set(no_slip_force.types_of(None).values()) == {"impossible"}
 
 
 class TestStiffness:
-    @staticmethod
-    def front(kappa, length):
-        lengths = dict.fromkeys(decay_length.METHODS, length)
-        return {"junctions.kappa": kappa, "l_0": {"l_0": lengths | {"fall to 1/e": 7e-3}}}
-
     def test_l_0_is_compared_in_the_order_of_k_over_k_i(self):
-        KAPPA = 39.2e9  # l_0 goes with the square root of k/k_i, which goes with that of 1/kappa
-        fronts = [self.front(KAPPA * f, 7e-3 * f**-0.25) for f in (1 / 16, 1, 16)]
-        found = decay_length.by_stiffness(fronts)
-        assert found["ratios"] == [0.25, 1, 4]
-        assert found["l_0"] == approx([3.5e-3, 7e-3, 14e-3])
+        """It goes with the square root of k/k_i, which goes with that of 1/kappa."""
+        l_0 = [7e-3 * (lengths.KAPPA / kappa) ** 0.25 for kappa in lengths.KAPPAS]
+        fronts = [front_with(x, **{"fall to 1/e": 7e-3}) for x in l_0]
+        found = lengths.by_stiffness(fronts, PRIMARY)
+        assert found["k/k_i over the reference's"] == approx([0.5, 0.5**0.5, 1, 2**0.5, 2])
+        assert found["l_0 [mm]"] == approx([1e3 * x for x in l_0])
         assert found["exponent"] == approx(0.5)
-        assert found["least_step"] == approx(3.5e-3)
-        assert found["under"]["fall to 1/e"]["least_step"] == 0
+        assert found["each longer than the one before"]
+        other = lengths.by_stiffness(fronts, "fall to 1/e")
+        assert not other["each longer than the one before"]
 
     def test_fronts_that_are_not_slow_do_not_count(self):
-        found = decay_length.by_stiffness([self.front(1e9, None), self.front(2e9, 7e-3)])
-        assert (found["fronts"], found["least_step"], found["exponent"]) == (1, None, None)
+        found = lengths.by_stiffness([front_with(x) for x in (None,) * 4 + (7e-3,)], PRIMARY)
+        assert found["slow fronts"] == 1 and not found["each longer than the one before"]
+        assert math.isnan(found["exponent"])

@@ -2,9 +2,11 @@
 
 import numpy as np
 
+from claims_test import copied
 from conftest import approx
-from quasistatic import ratios_of
-from quasistatic_stretch import advances, dynamic_events, quasistatic_stretch
+from fig5.commands import speed
+from fig5.quasistatic_stretch import advances, dynamic_events, quasistatic_stretch
+from measure.conventions import PRIMARY
 
 EVERY = 0.01  # between checkpoints [s]
 BLOCKS = 20
@@ -46,5 +48,6 @@ def test_half_of_the_blocks_are_no_dynamic_event():
 
 
 def test_a_speed_counts_where_the_tip_moves_with_the_drive():
-    branches = [{"advance": {"c_s": 968, "driven": n}, "stretch": {"speed": 484}} for n in (2, 3)]
-    assert ratios_of(branches) == [2]
+    of = [{"advance": {"c_s": 968, "driven": n, "stopped": 0}} for n in (2, 3)]
+    found = [speed(copied(one | {"stretch": {"speed": 484}}), PRIMARY) for one in of]
+    assert (found[0], found[1]["c_s/speed"]) == (None, 2)

@@ -6,14 +6,20 @@ the run, of each fast-slow-fast one computed again, and of its branches at 0.14 
 """
 
 import json
+from types import SimpleNamespace
 
 from pytest import fixture, mark
+from rupture.once import Report
 
-from claims import cases, judge
+from claims.judge import by_convention, cases_of, counted, function, holds, shares_of
+from claims.samples import Unit
+from claims.table import table
 from conftest import ROOT
-from made_up import Made
+from events import spanning
+from measure.conventions import PRIMARY
 
-RUNS = json.loads((ROOT / "tests/recipes/data/runs.json").read_text(encoding="utf-8"))
+DATA = ROOT / "tests/recipes/data/runs.json"
+RUNS = json.loads(DATA.read_text(encoding="utf-8"), object_hook=Report)
 # Start [s] of the events that meet the claim. c_s/v of a stencil of five blocks was printed along
 # the interface, with the time at which the front is at each block, and read: fast up to 10 or 20,
 # slow beyond; < where it runs backwards, - where it jumps.
@@ -42,26 +48,46 @@ OF_RUNS = ("2A", "2A-numbers", "2B", "2C")  # the units of these are runs, of ot
 COUNTED = {"2A": ["3 of 3"], "3B": ["14 of 16"]}  # what the rows count beside
 
 
-@fixture(name="chains", scope="module")
-def points():
-    events, branches = [], []
-    for run in RUNS.values():
-        events.append(Made(variant="reference", measured={"events": run["events"]}))
-        for whole, branch in zip(run["continued"], run["branches"]):
-            [event] = [one for one in run["events"] if one["t_start"] == whole["t_start"]]
-            branches.append(Made(whole | branch, event=event, block=8))
-    return {"ensemble/events": events, "ensemble/branches": branches}
+@fixture(name="units", scope="module")
+def units_of_runs_and_branches():
+    runs, branches = [], []
+    for number, run in enumerate(RUNS.values()):
+        runs.append(Unit(number, spanning({PRIMARY: run.events})))
+        for whole, branch in zip(run.continued, run.branches):
+            sample = SimpleNamespace(
+                t_start=whole.t_start,
+                fronts={PRIMARY: whole.front},
+                stopped={PRIMARY: branch.front_stopped},
+                no_slow_slip=branch.front_no_slow_slip,
+                wider={PRIMARY: branch.front_wider},
+                phi=branch.phi,
+                phi_wider=branch.phi_wider,
+            )
+            branches.append(Unit(number, sample))
+    return runs, branches
+
+
+def starts_of(unit):
+    """Of the events of a run, or of the event of a branch."""
+    if isinstance(unit.sample, dict):
+        return [event.t_start for event in unit.sample[PRIMARY]]
+    return [unit.sample.t_start]
 
 
 @mark.parametrize("claim_id", BY_EYE)
-def test_the_events_of_three_runs_that_meet_a_claim_are_those_counted_by_eye(claim_id, chains):
-    row = judge.table()[claim_id]
-    units = cases.units(row, chains).values()
-    met = [n for unit in units for n in unit if judge.holds(claim_id, [judge.case_of(n)])]
-    read = " ".join(BY_EYE[claim_id]).split()
-    assert [f"{names.value('event.t_start'):.4f}" for names in met] == read
-    assert [*judge.counted(row, chains).values()] == COUNTED.get(claim_id, [])
+def test_the_events_of_three_runs_that_meet_a_claim_are_those_counted_by_eye(claim_id, units):
+    row = table()[claim_id] | {"ways": ()}
+    measured, of_claim = function(row, "measured"), units[claim_id not in OF_RUNS]
+    met = [
+        start
+        for unit in of_claim
+        for start, case in zip(starts_of(unit), cases_of(measured, unit.sample) or ())
+        if holds(row, [case])
+    ]
+    assert [f"{start:.4f}" for start in met] == " ".join(BY_EYE[claim_id]).split()
+    found = by_convention(row, measured, {PRIMARY: of_claim})
+    assert [*counted(row, found[PRIMARY]).values()] == COUNTED.get(claim_id, [])
     counts = [len(starts.split()) for starts in BY_EYE[claim_id]]  # of each run
     expected = (sum(map(bool, counts)), 3) if claim_id in OF_RUNS else (sum(counts), 16)
-    share = judge.shares_of(row, chains)[0]
+    [share] = shares_of(row, found)
     assert (share.holds, share.units) == expected

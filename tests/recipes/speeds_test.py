@@ -3,17 +3,15 @@
 from types import SimpleNamespace
 
 import numpy as np
-from front_slip import exponent, slip_speed, transient
-from pytest import mark
-
 import rupture
-import slip_history
+from pytest import mark
+from rupture.files import Ruptures
+
 from claims.own_result import compared, text_of
 from conftest import approx
-from made_up import Made
 from measure.tables import numbers
-from rupture.files import Ruptures
-from slip_history import gini, slip_in_bins
+from speeds.front_slip import exponent, slip_speed, transient
+from speeds.slip_history import gini, history_of, slip_in_bins
 
 
 @mark.parametrize(
@@ -40,11 +38,9 @@ def test_a_block_is_measured_at_the_first_checkpoint_10_ms_after_its_rupture(mon
         slips = Record(u_x=np.array([[0.0], [0.3]]))
         return slips if path == "record.h5" else SimpleNamespace(time=float(path))
 
-    monkeypatch.setattr(slip_history, "CHECKPOINTS", ["0.105", "0.115", "0.125", "0.205"])
     monkeypatch.setattr(rupture, "open", opened)
     monkeypatch.setattr(rupture, "analyze", lambda _, path: {"mu_bar_eff": [float(path)]})
-    monkeypatch.setattr(Made, "file", lambda _, name: name, raising=False)
-    [row] = slip_history.rows_of(Made({"numerics.seed": 1}))
+    [row] = history_of("record.h5", "0.105", "0.115", "0.125", "0.205")
     assert (row["mu_bar_eff"], row["slip after 2 ms [m]"]) == approx((0.115, 0.008))
 
 

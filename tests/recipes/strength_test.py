@@ -1,9 +1,12 @@
 """Claim 4C: slow points gather at low sigma_bar (recipes/fig4/strength.py); all made up."""
 
+from math import isnan
+
 from conftest import approx
-from made_up import Made
+from fig4.strength import Block, largest_deviation, map_strata, over_events, prepared_block
+from fig4.strength import share_near
+from measure.conventions import PRIMARY
 from measure.pairs import share_of_lower
-from strength import Block, largest_deviation, map_strata, over_events, prepared_points, share_near
 
 LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}
 POINT = Block("slow", 0.5, 0.1, 0.5, "uniform")  # on its curve
@@ -35,15 +38,15 @@ class TestGathering:
 
     def test_the_width_of_bins_acts_on_events(self):
         found = over_events([EVENT, EVENT, []])
-        shares = {way: of["share"] for way, of in found["under"].items()}
-        assert (found["events"], found["share"]) == (2, 1.0)
-        assert shares == {"bins of 0.05": 1.0, "bins of 0.2": approx(7 / 15)}
-        assert over_events([])["share"] is None
+        shares = {way: share for way, (_, share) in found.items()}
+        assert shares == {PRIMARY: 1.0, "bins of 0.05": 1.0, "bins of 0.2": approx(7 / 15)}
+        assert [count for count, _ in found.values()] == [2] * 3
+        assert isnan(over_events([])[PRIMARY][1])
 
     def test_a_prepared_point_is_a_block_beyond_the_trigger_region(self):
         of_block = {name: [0.0] * 9 + [0.3] * 48 for name in ("sigma_bar", "mu_bar_eff")}
-        point = {"front": {"type": "slow"}, "strength": of_block, "tau-bar": 0.1, "shape": "bell"}
-        assert prepared_points([Made(point)]) == [Block("slow", 0.3, 0.1, 0.3, "bell")]
+        found = prepared_block(of_block, {"type": "none"}, 0.1, "bell")
+        assert found == Block("arrested", 0.3, 0.1, 0.3, "bell")
 
     def test_the_largest_deviation_from_a_curve_may_be_below_it(self):
         low = Block("slow", 0.5, 0.1, 0.45, "uniform")

@@ -161,7 +161,7 @@ def exit_code(run, say):
         if isinstance(error, BrokenPipeError):  # such as that of `| head`
             return 141
         say(f"{error.filename or 'standard output'}: {error.strerror or error}")
-        return 3
+        return 3 if is_of_machine(error) or not error.filename else 1
     except MemoryError:
         say("not enough memory")
         return 3

@@ -1,28 +1,32 @@
-"""The commands in the recipes' READMEs are those that points of chains run.
+"""The commands in the recipes' READMEs are those that recipes run.
 
-A command by hand has the program, the options and the values of one of a chain. It may leave out
+A command by hand has the program, the options and the values of one of a recipe. It may leave out
 what only concerns files, and what is a default."""
 
+import importlib
+import inspect
 import json
 import re
 import shlex
+from contextlib import suppress
 from pathlib import Path
 
-from pytest import fixture, mark
+from pytest import MonkeyPatch, fixture, mark
+from rupture import once
+from rupture.commands.making import Making
 
-from chains.points import Waiting
-from chains.selection import Chains
-from claims.cases import of_selection
-from claims.judge import table
+
+import maps
+from claims.recipes import read_readme, recipe_names
+from claims.samples import Sampling
 from conftest import ROOT, approx, run
-from reproduce.recipes import read_readme, recipe_names
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
-# A chain may also ask for checkpoints and crossings for later steps, name the only event of a
+# A recipe may also ask for checkpoints and crossings for later steps, name the only event of a
 # record, and measure in other ways, too.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings", "--also")
-# Commands that no chain runs: scripts read these records, or call the program, themselves.
+# Commands that no recipe runs: functions read these records, or call the program, themselves.
 ONLY_BY_HAND = (
     *("analyze loading --x", "analyze events", "analyze events --slow-below"),
     "analyze slip --x --to",
@@ -32,23 +36,71 @@ PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["paramete
 DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}
 
 
-def commands_of(chains, path):
-    """The commands of the points, or as they are written if points depend on what others report.
-    `$` is what is known when it runs."""
-    chain = chains.load(path)
-    try:
-        lines = {line for point in chains.points(chain) for line in point.commands.values()}
-    except Waiting:
-        values = {name for lists in chain.lists.values() for name in lists}
-        options = " ".join(f"--set {n}=$" if "." in n else f"--{n} $" for n in values)
-        lines = {line.replace("{values}", options) for line in chain.commands.values()}
-    return [re.sub(r"\{[^{}]*\}|'[^']*;[^']*'", "$", line) for line in lines]
+class Anything(dict):
+    """Whatever a report has, and what is calculated with it: `$` in a command."""
+
+    def it(self, *_):
+        return self
+
+    __getattr__ = __getitem__ = __round__ = __or__ = __ror__ = it
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = it
+
+    def so(self, _):
+        return True
+
+    __eq__ = __lt__ = __le__ = __gt__ = __ge__ = so
+
+    def not_so(self, _):
+        return False
+
+    __ne__ = not_so
+    __hash__ = object.__hash__
+
+    def __bool__(self):
+        return True
+
+    def __iter__(self):
+        return iter([self])
+
+    def __format__(self, _):
+        return "$"
+
+
+def report(_, work):
+    also = re.search("--also '(.*?)'", work.line)
+    return [Anything()] * (2 + also[1].count(";")) if also else Anything()
+
+
+def ask_all():
+    """Calls all functions of recipes that need nothing. What they calculate makes no sense."""
+    for path in sorted((ROOT / "recipes").glob("*/*.py")):
+        if (path.parent / "commands.py").exists():
+            module = importlib.import_module(f"{path.parent.name}.{path.stem}")
+            for function in [*vars(module).values()]:
+                is_own = getattr(function, "__module__", "") == module.__name__
+                is_function = inspect.isfunction(inspect.unwrap(function)) if is_own else False
+                if is_function and not inspect.signature(function).parameters:
+                    with suppress(Exception):
+                        function()
+
+
+def lines_of_recipes(folder):
+    with MonkeyPatch.context() as patch:
+        patch.setattr(Making, "report", report)
+        patch.setattr(maps.Interfaces, "edge", lambda self, *_: self.kinds(1))
+        patch.setattr(Sampling, "is_whole", True)
+        patch.setattr("shutil.which", lambda name: name)  # LAMMPS
+        works = once.use(store=folder, cores=1).holdings.works
+        ask_all()
+        lines = {work.line for work in works.values()}
+        once.finish()
+    return lines
 
 
 def calls_in(text):
     """Words of each call of a program, without files. A part that the shell computes is `$`,
     and so is a list with semicolons."""
-    text = text.replace("\\\n", " ")
+    text = re.sub(r"^PYTHONPATH=.*", "", text.replace("\\\n", " "), flags=re.MULTILINE)  # Python
     text = re.sub(r'\$\((?:[^()]|\([^()]*\)|\(\([^()]*\)\))*\)|\$\w+|"[^"]*;[^"]*"', "$", text)
     for part in re.split(r"[;\n]|&&|\|\|", text):
         words = shlex.split(re.sub(r"\d?>.*", "", part).replace("{", " ").replace("(", " "))
@@ -98,18 +150,16 @@ def matches(call, other):
 
 
 @fixture(scope="module", name="calls")
-def all_calls():
-    chains = Chains()
-    found: dict = {}
-    for path in (ROOT / "recipes").rglob("*.ini"):
-        lines = commands_of(chains, path) if path.name != "figure.ini" else ()
-        calls = (parse(words) for line in lines for words in calls_in(line))
-        found |= {repr(call): call for call in calls}
-    return list(found.values())
+def all_calls(tmp_path_factory):
+    lines = lines_of_recipes(tmp_path_factory.mktemp("store") / "store")
+    found = [
+        parse(words) for line in lines for words in calls_in(re.sub("'[^']*;[^']*'", "$", line))
+    ]
+    return list({repr(call): call for call in found}.values())
 
 
 @mark.parametrize("name", recipe_names(ROOT))
-def test_each_command_by_hand_is_one_of_a_chain(name, calls):
+def test_each_command_by_hand_is_one_of_a_recipe(name, calls):
     pages = (ROOT / "recipes" / name).glob("*.md")
     chain = [words for page in pages for words in calls_in(read_readme(page).commands)]
     assert len(chain) > 1
@@ -133,32 +183,6 @@ def test_parameters_vary_together(calls, name, power, scaled, reference):
     pairs = [(float(v), float(other)) for v, other in found if "$" not in v + other]
     expected = [(v, approx(reference * v**power, rel=1e-9, abs=0)) for v, _ in pairs]
     assert pairs and pairs == expected
-
-
-WHERE_AND_HOW_LONG = {*UNSAID, "--for", "--skip-below-x"}  # may differ from event to event
-
-
-def options_of(recipe, selection):
-    """{command: its calls} of the chain that a row of claims.toml names."""
-    name = of_selection(selection)["chain"]
-    path = ROOT / "recipes" / (name if "/" in name else f"{recipe}/{name}")
-    lines = Chains().load(path.with_suffix(".ini")).commands.items()
-    calls = {n: [*map(parse, calls_in(re.sub(r"\{[^{}]*\}", "$", line)))] for n, line in lines}
-    for given in (given for found in calls.values() for _, given in found):
-        for name in given.keys() & WHERE_AND_HOW_LONG:
-            del given[name]
-    return calls
-
-
-@mark.parametrize("claim_id", [name for name, row in table().items() if "each" in row])
-def test_what_is_shown_is_computed_as_what_is_judged(claim_id):
-    row = table()[claim_id]
-    shown = row["shown"] if isinstance(row["shown"], dict) else {"": row["shown"]}
-    judged = options_of(row["recipe"], row["each"])
-    for selection in shown.values():
-        of_shown = options_of(row["recipe"], selection)
-        for name in of_shown.keys() & judged.keys():
-            assert of_shown[name] == judged[name], (selection, name)
 
 
 @mark.parametrize(
