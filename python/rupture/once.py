@@ -30,7 +30,7 @@ from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
 from rupture.commands.script import script_of
-from rupture.commands.store import Report, Store, complain
+from rupture.commands.store import Onlooker, Report, Store, complain
 from rupture.replacing import ENDING
 
 __all__ = ["Made", "Refused", "Report", "Unknown"]
@@ -39,14 +39,14 @@ __all__ += ["asked", "each", "keep", "known", "measured", "run", "script_of", "u
 current: list[Making] = []  # one, or none yet
 
 
-def use(store=None, cores=None, dry_run=None, cap=None):
+def use(store=None, cores=None, dry_run=None, cap=None, executor=None):
     """Says where results are, how many programs run at a time, whether commands are only printed,
-    and how many bytes of files may be there that are not kept."""
+    how many bytes of files may be there that are not kept, and what starts programs."""
     finish()
     dry_run = "--dry-run" in sys.argv if dry_run is None else dry_run
-    cores = 1 if dry_run else cores or programs_at_a_time()
-    place = Store(store or os.environ.get("RUPTURE_STORE", "store"))
-    current.append(Making(place, Local(), Pool(cores), dry_run, cap))
+    cores, cap = (1, 1) if dry_run else (cores or programs_at_a_time(), cap)
+    place = (Onlooker if dry_run else Store)(store or os.environ.get("RUPTURE_STORE", "store"))
+    current.append(Making(place, executor or Local(), Pool(cores), dry_run, cap))
     for number in ENDING:
         if is_main() and signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
             signal.signal(number, end)
@@ -138,7 +138,12 @@ def each(function, points, title="", only_known=False):
     numbers = range(len(points))
     results = list(map(one, numbers) if only_known else making.pool.map(one, numbers))
     progress.save()
-    making.scope.asked += [work for scope in scopes for work in scope.asked]
+    unknown = [isinstance(result, Unknown) for result in results]
+    if any(unknown) and (making.scope.only_known or making.dry_run and not only_known):
+        raise Unknown  # half of what is asked for is not what is asked for
+    making.scope.asked += [
+        work for scope, is_unknown in zip(scopes, unknown) if not is_unknown for work in scope.asked
+    ]
     pairs = list(zip(points, results))
     worked = Points(pair for pair in pairs if not isinstance(pair[1], (Refused, Unknown)))
     worked.refused = [(point, str(why)) for point, why in pairs if isinstance(why, Refused)]

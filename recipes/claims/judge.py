@@ -259,12 +259,15 @@ def function(row, key):
         raise Failure(f"claims.toml, claim {row['id']}, '{key}': {error}") from error
 
 
+def claim_of(row, known):
+    """`known`: samples, by the functions of which they come."""
+    measured, samples = function(row, "measured"), function(row, "samples")
+    if samples not in known:
+        known[samples] = samples()
+    return judged(row, measured, known[samples])
+
+
 def judge(recipe):
     """All claims of a recipe."""
-    claims, known = [], {}  # samples by name
-    for row in rows_of(recipe):
-        measured, samples = function(row, "measured"), function(row, "samples")
-        if samples not in known:
-            known[samples] = samples()
-        claims.append(judged(row, measured, known[samples]))
-    return claims
+    known: dict = {}
+    return [claim_of(row, known) for row in rows_of(recipe)]

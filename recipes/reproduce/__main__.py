@@ -2,35 +2,26 @@
 
 import os
 import sys
-import time
 from collections.abc import Callable
 from functools import partial
 
-from chains.preview import preview
 from rupture.errors import Failure
 from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
 from reproduce.clean import clean
-from reproduce.command_line import figures, listing, make_parser, read
-from reproduce.project import BESIDE_ALL, PROGRAMS, complain, enter_root, say
+from reproduce.command_line import listing, make_parser, read
+from reproduce.project import PROGRAMS, complain, enter_root
 from reproduce.processes import Processes, ensure_packages
 
 
 def recipes(request, processes):
-    """Computes the named recipes, or all and their report."""
-    started = time.monotonic()
-    if request.dry_run:
-        for line in (line for recipe in request.words for line in preview(recipe)):
-            say(line)
-        return 0
-    is_all = request.command == "all"
-    of_all = [name for name in figures() if name not in BESIDE_ALL and "/" not in name]
-    named = of_all if is_all else request.words
-    compute.reproduce(request, named, processes)
-    code = (compute.write_report_if_needed if is_all else compute.write_crate)(processes)
-    minutes, seconds = divmod(round(time.monotonic() - started), 60)
-    say(f"\nDone in {f'{minutes} min ' if minutes else ''}{seconds} s.")
-    return code
+    return (compute.dry_run if request.dry_run else compute.reproduce)(request, processes)
+
+
+def sweep(request, processes):
+    from reproduce.sweeps import run_sweep  # h5py and more
+
+    return run_sweep(request, processes)
 
 
 def report(_, processes):
@@ -41,7 +32,7 @@ def report(_, processes):
 RUN: dict[str, Callable] = {
     "recipes": recipes,
     "all": recipes,
-    "sweep": compute.run_sweep,
+    "sweep": sweep,
     "report": report,
     "test": checks.run_tests,
     "test-slurm": checks.test_slurm,

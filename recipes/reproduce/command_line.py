@@ -10,7 +10,7 @@ from rupture.errors import UsageError
 from rupture.tools import command_line
 from rupture.tools.command_line import DEFAULT, whole_number
 from claims.recipes import read_readme, recipe_names
-from reproduce.machine import usable_cores
+from rupture.commands.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
 from chains.ini import suggestion
 
@@ -97,6 +97,8 @@ def make_parser():
     add("--dry-run", action="store_true", help=text)
     text = "also compute the checkpoints that figures start from, instead of using checkpoints/"
     add("--from-scratch", action="store_true", help=text)
+    text = "of clean: delete only results that no figure has asked for the last time"
+    add("--unneeded", action="store_true", help=text)
     text = (
         "where commands run: local, slurm, or the path of a folder with a `step`"
         f" (docs/cluster.md){DEFAULT}"
@@ -122,6 +124,8 @@ def check_commands(request):
     """One command, or several figures."""
     if request.dry_run and not {*request.words} <= {*figures()}:
         raise UsageError("--dry-run is for figures and for sweep")
+    if request.unneeded and request.command != "clean":
+        raise UsageError("--unneeded is for clean")
     for word in [one for one in request.words if one not in figures()]:
         if word not in COMMANDS:
             hint = suggestion(word, [*figures(), *COMMANDS]) or f": see {PROGRAM} list"
@@ -137,6 +141,6 @@ def read(words):
     if not request.words:
         return request
     request.command = request.words[0] if request.words[0] in COMMANDS else "recipes"
-    request.cores = request.cores or usable_cores()
+    request.given, request.cores = request.cores, request.cores or usable_cores()
     (check_sweep if request.command == "sweep" else check_commands)(request)
     return request

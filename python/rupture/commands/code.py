@@ -155,12 +155,16 @@ def modules_at(level, name, folder):
     return found
 
 
-@cache
-def digest_of_modules(path, store):
-    """Of this one and all of ours that it imports, directly or not."""
-    waiting, codes = [path], {}
+def modules_behind(paths, store):
+    """{path: a digest of its code} of these and all of ours that they import, directly or not."""
+    waiting, codes = [*paths], {}
     while waiting:
         if (path := waiting.pop()) not in codes:
             codes[path], imports = read_module(path, store)
             waiting += [one for level, n in imports for one in modules_at(level, n, path.parent)]
-    return digest(*sorted(codes.values()))
+    return codes
+
+
+@cache
+def digest_of_modules(path, store):
+    return digest(*sorted(modules_behind([path], store).values()))

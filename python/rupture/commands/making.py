@@ -16,6 +16,19 @@ class Unknown(SystemExit):
     """Of what nobody has run, and what shall not run now."""
 
 
+class Untold:
+    """In a dry run, the report of what nobody has done: who needs a value of it gets no further."""
+
+    def unknown(self, *_):
+        raise Unknown
+
+    __getattr__ = __getitem__ = __iter__ = __len__ = __bool__ = __contains__ = unknown
+    __str__ = __format__ = __float__ = __int__ = __array__ = __eq__ = __lt__ = __gt__ = unknown
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __neg__ = unknown
+    __le__ = __ge__ = __rtruediv__ = __abs__ = __round__ = unknown
+    __hash__ = object.__hash__
+
+
 class Making:
     def __init__(self, store, executor, pool, dry_run, cap):
         self.store, self.executor, self.pool, self.dry_run = store, executor, pool, dry_run
@@ -44,10 +57,11 @@ class Making:
 
     def report(self, work):
         self.scope.asked.append(work)
-        return self.answer(self.store.result(work.own) or self.do(work))["report"]
+        result = self.store.result(work.own) or self.do(work)
+        return self.answer(result)["report"] if result else Untold()
 
     def answer(self, result):
-        if result["status"] == "refused":
+        if result.get("status") == "refused":
             raise Refused(result["sentence"])
         return result
 
@@ -117,11 +131,10 @@ class Making:
             self.holdings.let_go(self.holdings.readers, needed)
 
     def show(self, work):
-        print(work.typed, flush=True)
-        if work.has_report:
-            raise Unknown
+        if work.own not in self.holdings.folders:
+            print(work.typed, flush=True)
         self.holdings.folders[work.own] = self.store.now
-        return {"status": "done"}
+        return {}
 
     def compute(self, work, paths, before):
         folder, since = self.store.now / work.own, time.monotonic()

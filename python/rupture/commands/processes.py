@@ -7,17 +7,19 @@ import subprocess
 from contextlib import suppress
 from weakref import WeakSet
 
-WITH_US = ["setpriv", "--pdeathsig", "KILL"]  # they end if we are killed
+WITH_US = ["setpriv", "--pdeathsig"]  # they get a signal if we are killed
 
 
 class Local:
     """What another executor has, too: start(words, folder), which returns what has the result(),
-    and stop()."""
+    and stop(). `step` takes the place of a shell, and runs the command in an allocation of SLURM."""
 
-    def __init__(self):
+    def __init__(self, step=None):
         self.running: WeakSet[Process] = WeakSet()
         self.stopped = False
-        self.prefix = WITH_US if shutil.which(WITH_US[0]) else []
+        self.ending = signal.SIGINT if step else signal.SIGKILL  # a step ends what runs elsewhere
+        self.prefix = [*WITH_US, str(int(self.ending))] if shutil.which(WITH_US[0]) else []
+        self.prefix += [str(step), "-c", 'exec "$0" "$@"'] if step else []
 
     def start(self, words, folder):
         process = Process(
@@ -41,7 +43,7 @@ class Local:
         self.stopped = True
         for process in list(self.running):
             with suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)
+                os.killpg(process.pid, self.ending)
 
 
 class Process(subprocess.Popen):

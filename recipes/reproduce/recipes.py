@@ -1,0 +1,137 @@
+"""Computes what a recipe asks for, draws its figure and judges its claims."""
+
+import shutil
+from contextlib import suppress
+from importlib import import_module
+from pathlib import Path
+from sys import modules
+from tempfile import TemporaryDirectory
+
+from claims.claim import CLAIMS, write_claims
+from claims.judge import claim_of, judge
+from claims.recipes import RECIPES, label
+from claims.samples import Sampling
+from claims.table import rows_of
+from report.jobs import builds_of, jobs_of, write_jobs
+from report.written import refuse_others, take, written
+from reproduce import stamps
+from rupture import figures, once
+from rupture.commands.holdings import Scope
+from rupture.commands.script import with_sources
+from rupture.replacing import replacing
+
+RESULTS = Path("results")
+FROM_SCRATCH = "fig2.from_scratch"
+SCRIPT = "commands.sh"
+
+
+class MadeBy:
+    """For the metadata of pictures: what draws them, and the files behind them so far."""
+
+    def __init__(self, recipe, asked):
+        self.recipe, self.asked, self.found = recipe, asked, (0, [])
+
+    def __iter__(self):
+        if self.found[0] != len(self.asked):
+            self.found = len(self.asked), sorted(self.lines())
+        return iter([f"./reproduce.sh {self.recipe}", *self.found[1]])
+
+    def lines(self):
+        for work in with_sources(dict.fromkeys(self.asked)):
+            found = None if work.has_report else work.making.store.result(work.own)
+            for name, checksum in (found or {}).get("checksums", {}).items():
+                yield f"{work.own}.{name}: content-sha256 {checksum[:16]}"
+
+
+def forget():
+    """What other recipes have asked for counts for this one, too."""
+    ours = (one for one in list(modules.values()) if is_recipes(getattr(one, "__file__", None)))
+    for function in (one for module in ours for one in vars(module).values()):
+        if hasattr(function, "cache_clear"):
+            function.cache_clear()
+
+
+def is_recipes(file):
+    return bool(file) and RECIPES in Path(file).parents
+
+
+def publish(folder, place):
+    """Gives files their place in results/. One that is equal keeps its date; of ours, those that
+    are not written any more go."""
+    files = sorted(folder.iterdir())
+    take(RESULTS, *(place / file.name for file in files))
+    for file in files:
+        target = place / file.name
+        if not target.exists() or target.read_bytes() != file.read_bytes():
+            with replacing(target) as part:
+                shutil.copyfile(file, part)
+    for path in (RESULTS / name for name in written(RESULTS)):
+        if path.parent == place and path.name not in {file.name for file in files}:
+            path.unlink(missing_ok=True)
+    return [place / file.name for file in files]
+
+
+def figure_of(recipe):
+    return import_module(f"{recipe.replace('/', '.')}.figure")
+
+
+def draw(recipe, folder):
+    """What write_claims() needs."""
+    return figure_of(recipe).make(folder) or [], judge(recipe)
+
+
+def make(recipe, is_whole, making):
+    """Raises Failure if it cannot be made. What is known stays known."""
+    store, scope = making.store, Scope(making.scope)
+    refuse_others(RESULTS, RESULTS / recipe / CLAIMS)  # before hours of computing
+    code = stamps.code_of(recipe, store)
+    note_asked(recipe, [], store, is_finished=False)
+    forget()
+    Sampling.is_whole = is_whole
+    figures.made_by = MadeBy(recipe, scope.asked)
+    folder = store.now / "drawn" / recipe
+    folder.mkdir(parents=True)
+    numbers, claims = making.within(scope, draw, (recipe, folder))
+    works = [work for work in dict.fromkeys(scope.asked) if store.result(work.own)]
+    jobs = [*jobs_of(works)]
+    write_claims(folder / CLAIMS, claims, numbers, builds_of(jobs))
+    write_jobs(folder, jobs)
+    script = once.script_of(works, label(recipe) or recipe, RECIPES.parent)
+    (folder / SCRIPT).write_text(script, encoding="utf-8")
+    files = publish(folder, RESULTS / recipe)
+    behind = with_sources(works)
+    note_asked(recipe, behind, store)
+    inputs = sorted({str(path) for work in behind for path in work.stamps})
+    files = code | stamps.described([*inputs, *files], store)
+    stamps.save(recipe, files, is_whole, store)
+
+
+def note_asked(recipe, works, store, is_finished=True):
+    """Which results it needs; those of before, too, until it is finished."""
+    name = stamps.record_of(recipe, "asked")
+    before = () if is_finished else (store.result(name) or {}).get("asked", ())
+    asked = {"asked": [*before, *(work.own for work in works)], "is_finished": is_finished}
+    store.save(name, asked)
+
+
+def check_from_scratch(making):
+    """Checkpoints that are shipped must come out as they are. Raises Failure if one does not."""
+    Sampling.is_whole = True
+    with once.asked() as works:
+        import_module(FROM_SCRATCH).check()
+    if not making.dry_run:
+        note_asked("from-scratch", with_sources(works), making.store)
+
+
+def show(recipe, is_whole):
+    """Prints the commands that would run, as far as one knows them."""
+    forget()
+    Sampling.is_whole = is_whole
+    with TemporaryDirectory() as folder:
+        results = Path(folder, recipe)
+        results.mkdir(parents=True)
+        with suppress(once.Unknown):
+            figure_of(recipe).make(results)
+    for row in rows_of(recipe):
+        with suppress(once.Unknown):
+            claim_of(row, {})

@@ -1,0 +1,66 @@
+"""What a recipe was made from: code, programs, files of users, and what it has written. As long as
+all of that stays the same, there is nothing to do for it. Dates only say where to look closer."""
+
+import os
+from contextlib import suppress
+from pathlib import Path
+
+from claims.recipes import RECIPES, paper_of
+from rupture.commands.code import OURS, digest_at, modules_behind, path_of, read_module, stamp_of
+from rupture.programs import DRAWING
+
+JUDGES = ("claims/judge.py", "report/jobs.py", "reproduce/recipes.py")
+
+
+def record_of(recipe, kind):
+    """The name of what is noted about a recipe in the store."""
+    return f"recipe-{recipe.replace('/', '.')}-{kind}"
+
+
+def state_of(store):
+    """It changes when anything new is known."""
+    folders = (one for one in os.scandir(store.folder) if set(one.name) <= {*"0123456789abcdef"})
+    return max((one.stat().st_mtime_ns for one in folders), default=0)
+
+
+def content_of(path, store):
+    if path.suffix == ".py":
+        return read_module(path, store)[0]
+    return digest_at(path, stamp_of(path))
+
+
+def described(paths, store):
+    """{path: what tells whether a file has changed}"""
+    return {os.path.relpath(p): [[*stamp_of(p)], content_of(Path(p), store)] for p in paths}
+
+
+def code_of(recipe, store):
+    """Take it before the code is imported: it may change meanwhile."""
+    own = sorted((RECIPES / recipe).glob("*.py"))
+    modules = modules_behind([*own, *map(RECIPES.joinpath, JUDGES)], store)
+    programs = [path_of(name) for name in OURS if name not in DRAWING]
+    claims = RECIPES / paper_of(recipe) / "claims.toml"
+    return described([*modules, *programs, *filter(Path.exists, [claims])], store)
+
+
+def save(recipe, files, is_whole, store):
+    stamp = {"files": files, "known": None if is_whole else state_of(store)}
+    store.save(record_of(recipe, "stamp"), stamp)
+
+
+def is_current(recipe, is_whole, store):
+    """`is_whole`: whether all samples are wanted, not only those that are known."""
+    stamp = store.result(record_of(recipe, "stamp"))
+    if not stamp or stamp["known"] and (is_whole or stamp["known"] != state_of(store)):
+        return False
+    new = {}
+    for path, (seen, content) in stamp["files"].items():
+        with suppress(OSError):
+            if seen == [*stamp_of(path)]:
+                continue
+            new |= described([path], store)
+        if new.get(path, ["", ""])[1] != content:
+            return False
+    if new:
+        save(recipe, stamp["files"] | new, not stamp["known"], store)
+    return True

@@ -1,0 +1,61 @@
+"""A user's sweep, by Ninja: ./reproduce.sh sweep FILE.ini."""
+
+import json
+import os
+import shutil
+import sys
+
+from chains.plan import write_plan
+from chains.progress import STATUS, follow
+from chains.store import RESULTS, STORE, put_back
+from chains.sweeps import OwnSweep
+from chains.table import preview, report_sweep
+from reproduce.compute import prepare, write_crate
+from reproduce.project import PROGRAMS, ROOT
+from rupture.errors import Failure
+
+TRIES = 3  # in an allocation, where a node may be lost
+
+
+def run_ninja(processes, place, own, file):
+    """Makes its points by a plan, which Ninja may write again."""
+    wanted = {"file": file, "cores": place.cores, "megabytes": place.megabytes}
+    try:
+        plan = write_plan(**wanted, own=own)
+    except OSError as error:
+        raise Failure(f"{ROOT / RESULTS} cannot be written ({error.strerror})") from None
+    if not shutil.which("ninja"):
+        raise Failure("there is no program ninja on the PATH; packages.txt names its package")
+    os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
+    os.environ |= {"RUPTURE_STEP": str(place.step or "sh"), "NINJA_STATUS": STATUS}
+    ninja = ["ninja", "-f", plan, "-j", place.cores, "-k", 0]
+    for _ in range(TRIES if place.step else 1):
+        try:
+            code = processes.run(ninja, follow)
+        finally:
+            put_back()
+        if not code:
+            break
+
+
+def run_sweep(request, processes):
+    """Writes the table even if points could not be computed; it states which, and why."""
+    place = prepare(request, processes)
+    own = OwnSweep(request.file)
+    if request.dry_run:
+        preview(own, request.programs or PROGRAMS)
+        return 0
+    if processes.has_turn:
+        put_back()  # of a run that was killed
+    own.write()
+    there, count = {*STORE.glob("*.json")}, len(own.missing())
+    run_ninja(processes, place, own, str(request.file))
+    if own.points is None:
+        own = OwnSweep(request.file)
+        if own.points is None:
+            raise Failure(f"{request.file}: its points follow from others, which were not computed")
+        own.write()
+        count = len([point for point in own.points if point.path not in there])
+    code = report_sweep(own.sweep, count)
+    write_crate(processes)
+    return code
