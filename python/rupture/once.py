@@ -137,8 +137,12 @@ def each(function, points, title="", only_known=False):
 
     numbers = range(len(points))
     results = list(map(one, numbers) if only_known else making.pool.map(one, numbers))
-    progress.save()
+    progress.end(str(result) for result in results if isinstance(result, Refused))
     unknown = [isinstance(result, Unknown) for result in results]
+    for scope in making.scope.and_around():
+        scope.lacks |= {
+            one for result in results if isinstance(result, Unknown) for one in result.args
+        }
     if any(unknown) and (making.scope.only_known or making.dry_run and not only_known):
         raise Unknown  # half of what is asked for is not what is asked for
     making.scope.asked += [

@@ -5,10 +5,13 @@ import shutil
 from contextlib import suppress
 
 from reproduce.project import READ, ROOT, WORK, say
+from reproduce.unneeded import clean_unneeded
 from report.written import LIST, written
+from rupture.commands.store import is_store
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"
+STORE = RESULTS / "store"
 OWN = HOME / ROOT.relative_to(WORK) if WORK else ROOT  # has build/
 BUILD = OWN / "build"
 FORMER = OWN / ".snakemake"  # of version 0.4, whose list of files is the same
@@ -54,19 +57,35 @@ def say_left(left):
         say(f"  and {len(left) - NAMED} more")
 
 
-def clean(*_):
+def delete_store():
+    """What commands have found; not behind a link. Returns whether there was any."""
+    is_ours = STORE.resolve() == STORE and is_store(STORE)
+    if is_ours:
+        shutil.rmtree(STORE)
+    return is_ours
+
+
+def clean(request, _):
+    if request.unneeded:
+        clean_unneeded()
+    else:
+        clean_all()
+
+
+def clean_all():
     listed = own_files()
     files = [one for one in listed if one.is_file()]
     folders = own_folders()
     files_in = f"{len(files) - 1} file{'s' if len(files) > 2 else ''} in results/"
     deleted = [files_in] if len(files) > 1 else []
     deleted += [f"{one.relative_to(HOME)}/" for one in folders if any(one.iterdir())]
+    deleted += ["results/store/"] if delete_store() else []
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=not folder.exists())  # within another
     links = own_links()
     for file in files + links:
         file.unlink()
-    parents = {parent for one in listed + folders + links for parent in one.parents}
+    parents = {parent for one in [*listed, *folders, *links, STORE] for parent in one.parents}
     for folder in sorted(parents, reverse=True):  # what is in a folder comes first
         with suppress(OSError):
             if HOME in folder.parents:

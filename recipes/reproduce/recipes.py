@@ -103,12 +103,12 @@ def make(recipe, is_whole, making):
     note_asked(recipe, behind, store)
     inputs = sorted({str(path) for work in behind for path in work.stamps})
     files = code | stamps.described([*inputs, *files], store)
-    stamps.save(recipe, files, is_whole, store)
+    stamps.save(recipe, files, [own for own in scope.lacks if not store.result(own)], store)
 
 
 def note_asked(recipe, works, store, is_finished=True):
     """Which results it needs; those of before, too, until it is finished."""
-    name = stamps.record_of(recipe, "asked")
+    name = stamps.record_of(recipe, stamps.ASKED)
     before = () if is_finished else (store.result(name) or {}).get("asked", ())
     asked = {"asked": [*before, *(work.own for work in works)], "is_finished": is_finished}
     store.save(name, asked)

@@ -9,18 +9,13 @@ from claims.recipes import RECIPES, paper_of
 from rupture.commands.code import OURS, digest_at, modules_behind, path_of, read_module, stamp_of
 from rupture.programs import DRAWING
 
+ASKED = "asked"
 JUDGES = ("claims/judge.py", "report/jobs.py", "reproduce/recipes.py")
 
 
 def record_of(recipe, kind):
     """The name of what is noted about a recipe in the store."""
     return f"recipe-{recipe.replace('/', '.')}-{kind}"
-
-
-def state_of(store):
-    """It changes when anything new is known."""
-    folders = (one for one in os.scandir(store.folder) if set(one.name) <= {*"0123456789abcdef"})
-    return max((one.stat().st_mtime_ns for one in folders), default=0)
 
 
 def content_of(path, store):
@@ -43,15 +38,17 @@ def code_of(recipe, store):
     return described([*modules, *programs, *filter(Path.exists, [claims])], store)
 
 
-def save(recipe, files, is_whole, store):
-    stamp = {"files": files, "known": None if is_whole else state_of(store)}
-    store.save(record_of(recipe, "stamp"), stamp)
+def save(recipe, files, lacks, store):
+    """`lacks`: ids of commands that nobody had done."""
+    store.save(record_of(recipe, "stamp"), {"files": files, "lacks": lacks})
 
 
 def is_current(recipe, is_whole, store):
     """`is_whole`: whether all samples are wanted, not only those that are known."""
     stamp = store.result(record_of(recipe, "stamp"))
-    if not stamp or stamp["known"] and (is_whole or stamp["known"] != state_of(store)):
+    if not stamp or is_whole and stamp["lacks"]:
+        return False
+    if any(store.place(own, "json").exists() for own in stamp["lacks"]):
         return False
     new = {}
     for path, (seen, content) in stamp["files"].items():
@@ -62,5 +59,5 @@ def is_current(recipe, is_whole, store):
         if new.get(path, ["", ""])[1] != content:
             return False
     if new:
-        save(recipe, stamp["files"] | new, not stamp["known"], store)
+        save(recipe, stamp["files"] | new, stamp["lacks"], store)
     return True

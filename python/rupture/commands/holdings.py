@@ -15,6 +15,7 @@ class Scope:
         self.parent = parent
         self.named, self.read, self.asked = set(), [], []
         self.only_known = only_known or bool(parent and parent.only_known)
+        self.lacks: set = set()  # ids of what is not known
         self.is_cancelled = self.has_run = False
 
     def and_around(self):

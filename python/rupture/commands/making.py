@@ -95,10 +95,10 @@ class Making:
 
     def do(self, work):
         """Its result. One does it; others who want it wait."""
+        if self.scope.only_known:
+            raise Unknown(work.own)
         lock = self.locks.setdefault(work.own, threading.Lock())
         if not lock.acquire(blocking=False):
-            if self.scope.only_known:
-                raise Unknown
             with self.pool.waits():
                 lock.acquire()
         try:
@@ -116,8 +116,6 @@ class Making:
         self.holdings.read(needed)
         try:
             paths = {n: self.path(s) if isinstance(s, Made) else s for n, s in sources}
-            if self.scope.only_known:
-                raise Unknown
             if self.dry_run:
                 return self.show(work)
             scopes = [*self.scope.and_around()]

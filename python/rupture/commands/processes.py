@@ -12,13 +12,16 @@ WITH_US = ["setpriv", "--pdeathsig"]  # they get a signal if we are killed
 
 class Local:
     """What another executor has, too: start(words, folder), which returns what has the result(),
-    and stop(). `step` takes the place of a shell, and runs the command in an allocation of SLURM."""
+    and stop(). `step` takes the place of a shell, and runs the command in an allocation of SLURM.
+    """
 
     def __init__(self, step=None):
         self.running: WeakSet[Process] = WeakSet()
         self.stopped = False
         self.ending = signal.SIGINT if step else signal.SIGKILL  # a step ends what runs elsewhere
-        self.prefix = [*WITH_US, str(int(self.ending))] if shutil.which(WITH_US[0]) else []
+        self.prefix = (
+            [*WITH_US, self.ending.name.removeprefix("SIG")] if shutil.which(WITH_US[0]) else []
+        )
         self.prefix += [str(step), "-c", 'exec "$0" "$@"'] if step else []
 
     def start(self, words, folder):

@@ -2,11 +2,13 @@
 
 import threading
 import time
+from collections import Counter
 
 from rupture.commands.code import digest
 from rupture.commands.store import complain
 
 PAUSE = 1.0  # [s] at least between two lines
+SHOWN = 5  # sentences
 
 
 class Progress:
@@ -36,6 +38,9 @@ class Progress:
                 left = f", about {passed * self.rest / self.worked:.0f} s left" * (not is_last)
                 complain(f"[{passed:4.0f} s{left}] {self.title}: {self.done} of {len(self.keys)}")
 
-    def save(self):
+    def end(self, refused):
+        """`refused`: sentences of points that ended with one."""
         if self.worked:
             self.store.save(self.own, self.seconds)
+            for sentence, count in Counter(refused).most_common(SHOWN):
+                complain(f"  {self.title}: {count} of {len(self.keys)} refused: {sentence}")

@@ -57,6 +57,13 @@ def as_read(body):
     return json.loads(b"{" + body, object_hook=Report)
 
 
+def is_store(folder):
+    """Whether it is ours, of this layout."""
+    marker = Path(folder, MARKER)
+    is_file = marker.is_file() and not marker.is_symlink()
+    return is_file and marker.read_text(encoding="utf-8", errors="replace") == LAYOUT
+
+
 class Store:
     """One call at a time may use it."""
 
