@@ -1,5 +1,6 @@
 """What a claim is measured of: what the picture shows, and samples of it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -38,7 +39,7 @@ def outcomes(points, found):
 
 def sampled(function, points, title=""):
     """outcomes() of all points, or of those that are there."""
-    compute = each if Sampling.is_whole else known
+    compute: Callable = each if Sampling.is_whole else known
     return outcomes(points, compute(function, points, title))
 
 
