@@ -1,6 +1,5 @@
 """What a claim is measured of: what the picture shows, and samples of it."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -39,8 +38,9 @@ def outcomes(points, found):
 
 def sampled(function, points, title=""):
     """outcomes() of all points, or of those that are there."""
-    compute: Callable = each if Sampling.is_whole else known
-    return outcomes(points, compute(function, points, title))
+    if Sampling.is_whole:
+        return outcomes(points, each(function, points, title))
+    return outcomes(points, known(function, points))
 
 
 def every(function, points, title=""):
