@@ -178,4 +178,4 @@ class Measurement(Work):
         except Failure as why:
             if is_of_machine(why):
                 raise
-            return {"status": "refused", "sentence": str(why)}
+            return {"status": "refused", "sentence": str(why).replace(f"{folder}/", "")}
