@@ -9,6 +9,7 @@ import time
 import pytest
 
 from conftest import succeeds
+from rupture.commands import machine
 from rupture.errors import Failure, MachineFailure
 from rupture.once import Refused, asked, each, known, run, script_of
 
@@ -112,6 +113,16 @@ def test_who_waits_for_points_helps(lab):
 def test_points_are_few_values_each_and_come_in_their_order(lab):
     assert each(lambda a, b: a + b, [(1, 2), (3, 4)]) == [((1, 2), 3), ((3, 4), 7)]
     assert each(lambda a: a, iter("ab")) == [(("a",), "a"), (("b",), "b")]
+
+
+@pytest.mark.parametrize("megabytes, programs", [(900, 1), (3300, 3), (99000, 8)])
+def test_each_program_has_a_core_and_memory(lab, monkeypatch, megabytes, programs):
+    monkeypatch.setattr(machine, "usable_cores", lambda: 8)
+    monkeypatch.setattr(machine, "usable_megabytes", lambda: megabytes)
+    lab.call(cores=None)
+    meter = Meter()
+    each(lambda n: meter.work(0.03), range(30))
+    assert meter.most == programs
 
 
 # --- refusals
