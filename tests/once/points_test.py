@@ -176,8 +176,13 @@ def test_a_mistake_in_a_point_is_raised_as_it_is(lab):
         each(lambda n: each(lambda m: 1 / m, [0]), [1, 2, 3])
     lab.call(cores=1)
     begun: list = []
+
+    def point(n):
+        begun.append(n)
+        return begun[9]
+
     with pytest.raises(IndexError):
-        each(lambda n: begun.append(n) or begun[9], range(9))
+        each(point, range(9))
     assert begun == [0]
 
 
