@@ -46,7 +46,7 @@ def shipped():
 
 
 def one_force():
-    return Samples({"": forces()[0.1]})
+    return Samples({"": forces()[0.1,]})
 
 
 def load(sample, _):
