@@ -20,8 +20,7 @@ DATES = ("datePublished", "startTime", "endTime")
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"
 NOW, PUBLISHED = 1.75e9, "2025-06-15T15:06:40+00:00"
 LICENCE = "https://spdx.org/licenses/MIT"
-FILES = ("a%20b%23.csv", "claims.json", "fig3.pdf", "fig3.png", "front.csv")
-FILES += ("jobs.jsonl",)
+FILES = ("a%20b%23.csv", "claims.json", "fig3.pdf", "fig3.png", "front.csv", "jobs.jsonl")
 SAYS = [  # an entity, and what it has
     (CRATE, {"@type": "CreativeWork", "conformsTo": {"@id": SPECIFICATION}}),
     (CRATE, {"about": {"@id": "./"}}),

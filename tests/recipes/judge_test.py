@@ -96,7 +96,7 @@ JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reaso
     ("alone", LOW, None, "reproduced", "holds"),
     ("alone", HIGH, None, "differs", "does not hold"),
     ("one", GOOD, [], None, "only the case shown was judged, no other runs"),
-    ("one", GOOD, runs(4, 0), None, "only the case shown was judged, no other runs"),
+    ("one", GOOD, runs(4, 0), None, "only 4 runs were judged; a verdict needs 5"),
     (
         "unstated",
         None,

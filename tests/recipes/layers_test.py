@@ -8,6 +8,7 @@ import pytest
 from claims.recipes import paper_of, recipe_names
 from claims.table import table
 from conftest import ROOT
+from rupture.commands.code import without_docstrings
 
 PACKAGES = ["rupture", "measure", "claims", "a recipe", "report", "reproduce"]  # lowest first
 OLD = "chains"  # users' sweeps; `reproduce` alone calls it
@@ -74,17 +75,10 @@ def test_an_import_that_climbs_is_found(module, text, is_found):
 
 def texts_in(path):
     """(line, text) of what a module says or compares with, without docstrings."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    docstrings = {
-        id(node.body[0].value)
-        for node in ast.walk(tree)
-        if isinstance(getattr(node, "body", None), list) and node.body
-        if isinstance(node.body[0], ast.Expr)
-    }
+    tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
-            if id(node) not in docstrings:
-                yield node.lineno, node.value
+            yield node.lineno, node.value
 
 
 BELOW = [path for path in SOURCES if layer_of(module_of(path)) in PACKAGES[:3]]

@@ -75,7 +75,14 @@ def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
     ],
 )
 def test_a_claim_of_few_samples_says_how_many(count, reason):
-    row = {"id": "x", "kind": "finding", "fixed": "", "says": "", "accepted": "", "unit": "seed"}
+    row: dict = {
+        "id": "x",
+        "kind": "finding",
+        "fixed": "",
+        "says": "",
+        "accepted": "",
+        "unit": "seed",
+    }
     row["conditions"] = {"x": {"above": 2}}
     samples = Samples({"": 3}, {PRIMARY: [Unit(None, 3)] * count})
     assert judged(row, lambda x, _: {"x": x}, samples).reason == reason
