@@ -184,7 +184,7 @@ def test_what_ninja_says_is_said_in_our_words(capsys, folder):
 
 
 def test_commands_typed_by_hand_give_the_same_files(folder):
-    point = OwnSweep(ROOT / "docs/examples/driving-speed.ini").points[-1]
+    (*_, point) = OwnSweep(ROOT / "docs/examples/driving-speed.ini").sweep.points
     typed = "\n".join(point.commands.values())
     path = {"PATH": f"{BIN}:{os.environ['PATH']}"}
     subprocess.run(["bash", "-ec", typed], env=os.environ | path, check=True)

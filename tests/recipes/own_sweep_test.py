@@ -144,7 +144,7 @@ def test_the_plan_has_its_own_table_of_points(plan, folder):
 
 
 def test_each_command_is_asked_once(plan):
-    with mock.patch("rupture.programs.subprocess.run", side_effect=subprocess.run) as run:
+    with mock.patch("rupture.programs.subprocess.Popen", side_effect=subprocess.Popen) as run:
         plan(CHAIN)
     asked = [call.args[0] for call in run.call_args_list]
     assert len(asked) == 9 == len({tuple(words) for words in asked})
