@@ -4,7 +4,7 @@ paper's, and of all events of independent runs."""
 import numpy as np
 from rupture.reports import values
 
-from claims import paper
+import paper
 from claims.spread import spread
 from measure.fronts import is_fast_only
 

@@ -2,11 +2,11 @@
 What is expected was fixed before any of these fronts was run."""
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
 from barrier.commands import FIRST, FRONTS, PLAIN, places
 from claims.own_result import compared, write_own
 from measure.tables import write_table
-from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
 T_R = 2e-3  # [s]
 JUDGED = (0.15, 0.3)  # where plain fronts are fast with slow slip and without

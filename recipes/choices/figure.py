@@ -6,9 +6,9 @@ from dataclasses import astuple, dataclass, replace
 import numpy as np
 from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
+import paper
 from choices.commands import CHOICES, DECAYING, SETTLED, SIGMA_BARS, edges, runs
 from choices.commands import units_of_branches, units_of_runs
-from claims import paper
 from claims.judge import by_convention, interval_of, shares_of
 from claims.own_result import OwnResult, write_own
 from claims.recipes import function_of

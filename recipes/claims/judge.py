@@ -6,6 +6,7 @@ docs/claims.md has the rules.
 from math import isfinite
 
 import numpy as np
+from rupture.errors import Failure
 from scipy.stats import beta
 
 from claims.claim import DEPENDS, DIFFERS, DOES_NOT_HOLD, HOLDS, NOT_COMPARABLE, REPRODUCED
@@ -15,7 +16,6 @@ from claims.recipes import function_of
 from claims.resampling import interval_by_runs
 from claims.table import rows_of, ways_of
 from measure.conventions import PRIMARY
-from rupture.errors import Failure
 
 NEEDED, NEEDED_IF_ONE_EXISTS = 0.8, 0.5  # share of the samples, for `reproduced`
 FEW = 0.2  # share up to which it `differs`

@@ -5,9 +5,10 @@ import json
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from rupture.replacing import write_whole
+
 from claims.claim import number, plain, split_unit
 from claims.conditions import met, wanted
-from rupture.replacing import write_whole
 
 OWN = "own.json"  # beside a recipe's claims.json
 

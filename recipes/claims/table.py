@@ -4,9 +4,10 @@ import tomllib
 from functools import cache
 from pathlib import Path
 
+from rupture.errors import Failure
+
 from claims.recipes import RECIPES, paper_of
 from measure.conventions import SETS
-from rupture.errors import Failure
 
 
 @cache

@@ -3,8 +3,9 @@ continuum by the rule in README.md."""
 
 from itertools import product
 
-from convergence.lattice import PER_LENGTH, STEP, spacing
 from rupture.figures import BLACK, BLUE, VERMILION
+
+from convergence.lattice import PER_LENGTH, STEP, spacing
 
 LATTICES = (57, 113, 225, 449)  # blocks along x
 SETTINGS = {  # for readers

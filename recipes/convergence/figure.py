@@ -2,6 +2,7 @@
 steps, the reference one first: a list, each front with its values by the headings of COLUMNS."""
 
 import numpy as np
+from rupture.figures import BLACK, DOUBLE, LINES, lettered, save
 from rupture.reports import values
 
 from claims.own_result import OwnResult, write_own
@@ -10,7 +11,6 @@ from convergence.commands import LAMMPS, STEPS, events, lammps, prepared
 from measure.front_map import IMPOSSIBLE
 from measure.fronts import type_on_map
 from measure.tables import write_table
-from rupture.figures import BLACK, DOUBLE, LINES, lettered, save
 
 SPEED = "slow speed [m/s]"
 OF_FRONT = ("speed", "duration", "x_from", "x_to")

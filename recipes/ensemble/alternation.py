@@ -8,11 +8,11 @@ n-th events of all loads are shuffled among the loads. This was found on the loa
 """
 
 import numpy as np
+from rupture import figures
+from rupture.figures import BLACK, DOUBLE, figure, save
 
 from claims.own_result import OwnResult
 from ensemble.commands import FAST, OTHER, SLOW
-from rupture import figures
-from rupture.figures import BLACK, DOUBLE, figure, save
 
 KINDS = {  # of events that span: colour, marker
     SLOW: (figures.SLOW, "s"),

@@ -2,11 +2,12 @@
 
 from functools import cache
 
+from rupture.errors import Failure
+
 import events
 from fig5.commands import seeds
 from measure.conventions import PRIMARY
 from measure.fronts import is_fast_only
-from rupture.errors import Failure
 
 SLOW, FAST, OTHER = "fast-slow-fast in words", "fast everywhere", "other"  # kinds of events
 LAWS = {"load": "reference"} | {law: law for law in events.LAWS if law != "reference"}

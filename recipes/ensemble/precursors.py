@@ -4,9 +4,9 @@ What is expected was fixed on seeds 201 to 220, before the loads that it is now 
 """
 
 import numpy as np
+from rupture.figures import BLACK, DOUBLE, FAST, SLOW, figure, save
 
 from claims.own_result import compared
-from rupture.figures import BLACK, DOUBLE, FAST, SLOW, figure, save
 
 TURN = 0.715  # [L]: below, events are expected to be fast-slow-fast
 OFFSET = -0.107  # of the begin from x_p [L]

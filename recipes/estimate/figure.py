@@ -1,12 +1,12 @@
 """The SI's arithmetic of slow slip, and its data."""
 
 import numpy as np
-
-from claims import paper
-from claims.claim import Number
-from measure.tables import write_table
-from estimate.commands import estimates, net_slip
 from rupture.figures import AS_IT_IS, BLACK, BLUE, CHANGED, DOUBLE, OF_PAPER, lettered, save
+
+import paper
+from claims.claim import Number
+from estimate.commands import estimates, net_slip
+from measure.tables import write_table
 
 
 def numbers_of(reference):

@@ -1,11 +1,11 @@
 """Figure 1 D-G, drawn from its tables."""
 
 import numpy as np
+from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
 from fig1 import curves
-from claims.paper import MU_D, MU_S
 from measure.tables import read_table
-from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
+from paper import MU_D, MU_S
 
 SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
 

@@ -6,12 +6,12 @@ from itertools import chain
 
 import rupture
 from rupture.errors import Failure
-from rupture.replacing import replacing
 from rupture.figures import BLACK, DOUBLE, EVENT, OF_PAPER, draw_ahead, draw_front_speeds
 from rupture.figures import lettered, save, window_of
 from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
+from rupture.replacing import replacing
 
-from claims import paper
+import paper
 from event_numbers import at_transitions, numbers_of_events
 from events import runs, shown_event
 from fig2.commands import film, most_like_if_known

@@ -3,7 +3,7 @@
 import numpy as np
 from rupture.errors import Failure
 
-from claims import paper
+import paper
 from event_numbers import numbers_of
 from measure.fronts import has_slow_stretch
 

@@ -1,14 +1,14 @@
 """Decay length of the shear force ahead of slow fronts: picture and data."""
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
 
-from claims import paper
+import paper
 from claims.spread import spread
 from fig3.decay_length import FITTED, median
 from fig3.lengths import fronts
-from measure.tables import write_table
 from measure.conventions import PRIMARY
-from rupture.figures import BLACK, BLUE, OF_PAPER, SINGLE, figure, save
+from measure.tables import write_table
 
 SHOWN = 1  # seed
 

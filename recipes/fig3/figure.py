@@ -2,16 +2,16 @@
 
 import numpy as np
 import rupture
+from rupture.figures import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
+from rupture.plotting import draw_pinned, draw_pinned_scale
 from rupture.reports import values
 
-from claims import paper
+import paper
 from claims.claim import Number
 from fig3 import decay_length_figure, front_speed_figure, no_slip_force, slow_slip_figure
 from fig3.commands import SHOWN, continued, every_step
 from measure.conventions import PRIMARY
 from measure.tables import write_table
-from rupture.figures import AS_IT_IS, BLUE, CHANGED, DOUBLE, OF_PAPER, SKY, figure, letter, save
-from rupture.plotting import draw_pinned, draw_pinned_scale
 
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."
 SINCE = "time since the change [ms]"

@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 from rupture.once import each, run
 
-from claims import paper
+import paper
 from claims.samples import Samples, Unit, sampled
 from fig3 import slow_fronts as slow
 from maps import SEEDS, places_of, spaced

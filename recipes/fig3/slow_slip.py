@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 from rupture.once import each, run
 
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from events import FINE, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
@@ -76,7 +76,7 @@ def longer(t_R):
 @cache
 def of_event():
     points = [(t_R,) for t_R in (1e-3, 1.5e-3, 2e-3, 3e-3, 4e-3)]
-    return slow.usable([row for _, row in each(longer, points, "event II")])
+    return slow.usable([*every(longer, points, "event II").values()])
 
 
 # --- fits --------------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ def fit_of(rows):
 
 
 def fits_of(seed):
-    """A sample: rows, those that the claim is about, {way to measure: fit}, and that of event II."""
+    """A sample: rows, those that the claim is about, {way to measure: fit}, that of event II."""
     rows = slow.by_way(fronts(seed))
     ways = {name: (rows[PRIMARY], k_i) for name, k_i in K_I.items()}
     ways |= {name: (of, K_I[PRIMARY]) for name, of in rows.items() if name != PRIMARY}

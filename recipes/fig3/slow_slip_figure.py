@@ -1,11 +1,12 @@
 """Figure 3 C, inset, and its data."""
 
-from claims import paper
+from rupture.figures import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
+
+import paper
 from claims.spread import spread
 from fig3.slow_slip import MM, estimate_and_measured, fits_of, of_event
-from measure.tables import numbers, write_columns
 from measure.conventions import PRIMARY
-from rupture.figures import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
+from measure.tables import numbers, write_columns
 
 SHOWN = 1  # seed
 VARIED = {  # marker and label

@@ -1,9 +1,10 @@
 """Figure 4 C and its data."""
 
+from rupture.figures import BLACK, EVENT, SINGLE, figure, letter, save
+
 from events import EVENTS
 from fig4.commands import curves, prepared, shown_blocks
 from measure.tables import write_table
-from rupture.figures import BLACK, EVENT, SINGLE, figure, letter, save
 
 SHOWN = {"event I": EVENT["I"], "event II": EVENT["II"]}
 MARKERS = {"slow": ".", "fast": "x", "loading zone": "o", "arrested": "+"}

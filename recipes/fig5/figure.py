@@ -2,12 +2,12 @@
 
 import numpy as np
 import rupture
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save, window_of
 from rupture.reports import values
 
 from fig5 import quasistatic
 from fig5.commands import event
 from measure.tables import write_table
-from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save, window_of
 
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
 

@@ -1,16 +1,15 @@
 """Figure 5 B and its data."""
 
+from matplotlib.colors import LinearSegmentedColormap
 import numpy as np
 import rupture
-from matplotlib.colors import LinearSegmentedColormap
-
 from rupture.errors import Failure
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
+from rupture.plotting import MAP, draw_image
 
 from claims.spread import spread
 from fig5.commands import MOVES, branches, middle_branch, seeds, shown_load
 from measure.tables import write_table
-from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, figure, letter, save
-from rupture.plotting import MAP, draw_image
 
 GREYS = LinearSegmentedColormap.from_list("greys", ["0.5", "1"])  # black lines can be seen on it
 STILL = 0.95  # from this pinned fraction on the undriven interface is not coloured

@@ -1,8 +1,9 @@
 """Figure S1 and its data."""
 
-from measure.tables import write_table
-from figS1.commands import Stress, states
 from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, lettered, save
+
+from figS1.commands import Stress, states
+from measure.tables import write_table
 
 
 def draw_stress(axes, stress):

@@ -2,16 +2,16 @@
 
 import numpy as np
 import rupture
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, draw_ahead, draw_front_speeds, lettered
+from rupture.figures import save, window_of
+from rupture.plotting import draw_image
+from rupture.reports import values
 
 from events import all_simplified
 from figS2.commands import shown
 from measure.conventions import PRIMARY
 from measure.fronts import is_fast_slow
 from measure.tables import write_events, write_fronts
-from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, draw_ahead, draw_front_speeds, lettered
-from rupture.figures import save, window_of
-from rupture.plotting import draw_image
-from rupture.reports import values
 
 SPEEDS = {  # label, colour, marker
     "event": ("slow slip", AS_IT_IS, "o"),

@@ -6,12 +6,12 @@ from itertools import product
 from types import SimpleNamespace
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 from rupture.reports import values
 
-from claims.paper import MU_D, MU_S
-from claims.samples import Samples
+from claims.samples import Samples, every
 from measure.fronts import type_on_map
+from paper import MU_D, MU_S
 
 TAU_BARS, SIGMA_BARS = (0.2, 0.3), (0, 0.2)
 X_TRIGGER, TAU_BAR_TRIGGER = 0.0225, 0.3  # [m], [1]
@@ -37,7 +37,7 @@ def interface(tau_bar, sigma_bar):
 @cache
 def interfaces():
     """{(tau_bar_0, sigma_bar): what was found there}"""
-    return dict(each(interface, list(product(TAU_BARS, SIGMA_BARS)), "interfaces"))
+    return every(interface, [*product(TAU_BARS, SIGMA_BARS)], "interfaces")
 
 
 # --- what claims measure -----------------------------------------------------------------------

@@ -3,9 +3,9 @@
 import numpy as np
 from rupture.figures import BLACK, BLUE, ORANGE, SINGLE, figure, save
 
-from claims.paper import MU_D
 from figS3.commands import X_TRIGGER, interfaces, prescribed, ratio
 from measure.tables import write_table
+from paper import MU_D
 
 SHOWN_SIGMA_BAR = 0
 COLOURS = {0.2: BLACK, 0.3: BLUE}

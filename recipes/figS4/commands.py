@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import numpy as np
 from rupture.once import measured
-from rupture.reports import values
+from rupture.reports import value, values
 
 from claims.samples import Samples
 from fig4.commands import REGION, branches, change_of_means, wider
@@ -46,5 +46,5 @@ def beginning(of, way):
     largest = apart.max() if len(apart) else np.nan
     return {
         "largest difference [ms]": largest * 1e3,
-        "difference/time below c_s/10": largest / front.in_words.duration,
+        "difference/time below c_s/10": largest / value(front, "in_words.duration"),
     }

@@ -2,13 +2,13 @@
 
 import numpy as np
 import rupture
+from rupture.figures import DOUBLE, VERMILION, figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale
 
 from figS4.commands import shown
 from figS4.junctions import Junctions
 from measure.conventions import PRIMARY
 from measure.tables import write_table
-from rupture.figures import DOUBLE, VERMILION, figure, letter, save, window_of
-from rupture.plotting import draw_pinned, draw_pinned_scale
 
 TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")
 BINS = 30

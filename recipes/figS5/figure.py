@@ -1,12 +1,12 @@
 """Figure S5 and its data."""
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
 
-from claims.paper import MU_D, MU_S
-from measure.tables import write_table
 from figS5.commands import strengths
 from figS5.quadrature import SHAPES, mean_force, sigma_of_unit_width
-from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, VERMILION, lettered, save
+from measure.tables import write_table
+from paper import MU_D, MU_S
 
 DRAWN = {0.06: BLUE, 0.12: GREEN, 0.2: VERMILION, 0.28: PURPLE}  # sigma-bar in A and B
 MEAN = 0.0  # of the junction forces in A and B, as g: all carry f_slip on average

@@ -1,15 +1,15 @@
 """Figure S6 and its data."""
 
 import rupture
+from rupture.figures import AS_IT_IS, BLACK, CHANGED, DOUBLE, draw_ahead, draw_front_speeds
+from rupture.figures import figure, letter, save, window_of
+from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
 from events import shown_events
 from figS6.commands import LAW, event, map_of_types
 from measure.conventions import PRIMARY
 from measure.map_panels import write_map
 from measure.tables import write_events, write_fronts
-from rupture.figures import AS_IT_IS, BLACK, CHANGED, DOUBLE, draw_ahead, draw_front_speeds
-from rupture.figures import figure, letter, save, window_of
-from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
 RUNS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),

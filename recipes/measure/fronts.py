@@ -4,15 +4,15 @@
 """
 
 PRIMARY = "primary"  # the way to measure if no other is named
-SLOW_BELOW = 1 / 20  # of c_s (claim 2B); the default of the programs
+SLOW_BELOW = 1 / 20  # of c_s; the default of the programs
 STENCIL = 5  # blocks; the default of the programs
-FAST_OVER_SLOW = 10  # claim S2
-SLOW_FOR = 0.5e-3  # [s], at least (claim S2)
+FAST_OVER_SLOW = 10  # of a front that becomes slow
+SLOW_FOR = 0.5e-3  # [s], at least
 TYPES = ("arrested", "slow", "fast")  # on prepared interfaces
 
 
 def middle_of(stretch):
-    """In time [s]; the driving stops there for claim 5A."""
+    """In time [s]."""
     return (stretch["t_from"] + stretch["t_to"]) / 2
 
 
@@ -21,11 +21,14 @@ def front_spans(front):
 
 
 def is_fast_slow(front):
-    """Claim S2: crosses the interface, and becomes slow after it was fast."""
+    """Crosses the interface, and becomes slow after it was fast."""
     slow = front["slow"]
     if front["type"] != "slow" or slow is None or slow["fast_before"] is None:
         return False
-    return slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"] and (slow["duration"] or 0) >= SLOW_FOR
+    return (
+        slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"]
+        and (slow["duration"] or 0) >= SLOW_FOR
+    )
 
 
 def has_slow_stretch(front):
@@ -34,7 +37,7 @@ def has_slow_stretch(front):
 
 
 def is_fast_only(front):
-    """Claim 2B: no stencil beyond the loading zone is slow."""
+    """No stencil beyond the loading zone is slow."""
     return front["type"] == "fast"
 
 

@@ -1,15 +1,15 @@
 """How maps of front types are drawn (Figures 4 D and S6 B, claim geometry)."""
 
-import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
+import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 from scipy.interpolate import NearestNDInterpolator
 
 from measure import front_map
 from measure.front_map import TYPES, axes_of, below, types_of, types_of_seeds
 from measure.tables import write_table
-from rupture.figures import BLACK, BLUE, DOUBLE, GREEN, PURPLE, figure, letter, save
 
 # Lighter than ARRESTED, SLOW and FAST, and apart in grey, too.
 COLOURS = {"arrested": "#E9E3BC", "slow": "#8CC0E3", "fast": "#E07F4A"}

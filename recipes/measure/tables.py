@@ -3,7 +3,6 @@
 import csv
 
 import numpy as np
-
 from rupture.replacing import replacing
 
 SLOW_STRETCH = {  # name in a report: for readers

@@ -1,7 +1,7 @@
 """Fronts under the distance law, a result of our own."""
 
 import numpy as np
-
+from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 from rupture.reports import values
 
 from claims.own_result import OwnResult, write_own
@@ -9,7 +9,6 @@ from maps import width
 from measure.front_map import TYPES, axes_of, band, types_of, write_variants
 from measure.map_panels import draw_key, draw_regions
 from robustness.commands import distance_bands, distance_event, distance_maps
-from rupture.figures import AS_IT_IS, CHANGED, DOUBLE, lettered, save
 
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
 

@@ -2,6 +2,7 @@
 are in the modules beside this one."""
 
 import numpy as np
+from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, save
 from rupture.reports import values
 
 from events import shown_events
@@ -12,7 +13,6 @@ from measure.map_panels import draw_regions, name_regions
 from measure.tables import write_events
 from robustness import distance, geometry
 from robustness.commands import exponential_map
-from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, save
 
 
 def draw(events, stem):

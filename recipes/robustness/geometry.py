@@ -1,9 +1,10 @@
 """Maps of front types for other lengths and nucleation energies."""
 
+from rupture.figures import DOUBLE, lettered, save
+
 from measure.front_map import types_of, write_variants
 from measure.map_panels import draw_key, draw_regions
 from robustness.commands import geometry
-from rupture.figures import DOUBLE, lettered, save
 
 TITLES = {
     "L x 0.75": r"$0.75\,L$",

@@ -5,13 +5,13 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
+from rupture.figures import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 from scipy.stats import spearmanr
 
 from claims.own_result import compared, write_own
 from measure.tables import numbers, write_columns
 from speeds.commands import fronts, histories
 from speeds.front_slip import FRONT, SLIP, exponent, pairs_of, smoothed, transient
-from rupture.figures import BLACK, BLUE, DOUBLE, SKY, VERMILION, lettered, save
 
 # Exponents: tau_bar_0 of the fronts, speeds, and (variant, parameter, power of the quantity).
 KINDS = {"fast": 0.3, "slow": 0.1}

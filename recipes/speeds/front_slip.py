@@ -1,7 +1,6 @@
 """Slip and fronts on prepared interfaces."""
 
 import numpy as np
-
 from rupture.reports import values
 
 from measure.tables import numbers

@@ -1,5 +1,5 @@
-"""What rows of claims.toml measure beside their conditions, where events branch, and the friction of
-single blocks; all made up."""
+"""What rows of claims.toml measure beside their conditions, where events branch, and the friction
+of single blocks; all made up."""
 
 from types import SimpleNamespace
 
@@ -57,7 +57,8 @@ def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_
 LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
 STOPPED = {"fronts": {PRIMARY: LINE | {"in_words": None}}, "undriven": LINE, "stop": 1e-3}
 EVENT = {"F_T_before": 2.0, "F_T_after": 1.0, "t_rupture": [0.0]}
-RUN = {PRIMARY: [EVENT | {"t_start": t, "spanning": t > 1} for t in (1.0, 2.0, 3.0)]}
+TIMES = (0.5, 1.0, 2.0, 3.0)  # the first of these is not over
+RUN = {PRIMARY: [EVENT | {"t_start": t, "spanning": t != 1, "is_over": t > 0.5} for t in TIMES]}
 
 
 @mark.parametrize(
@@ -79,7 +80,12 @@ def test_events_branch_where_the_convention_says():
 
 def test_an_event_starts_half_a_millisecond_before_from_the_last_checkpoint(monkeypatch):
     lines = []
-    monkeypatch.setattr("events.run", lambda line, keep: lines.append(line) or {"start.h5": ""})
+
+    def run(line, keep):
+        lines.append(line)
+        return {"start.h5": ""}
+
+    monkeypatch.setattr("events.run", run)
     load = {events.checkpoint_at(time): f"t={time:g}" for time in events.TIMES}
     for t_start in (0.4203, 0.4006, 0.4005):
         events.before(load, SimpleNamespace(t_start=t_start))

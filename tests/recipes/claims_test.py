@@ -1,7 +1,6 @@
 """Rows of claims.toml: what they measure, and when they hold, on made-up samples (examples.py)."""
 
 import ast
-import copy
 import inspect
 
 from pytest import mark

@@ -54,7 +54,7 @@ class Anything(dict):
         return False
 
     __ne__ = not_so
-    __hash__ = object.__hash__
+    __hash__ = object.__hash__  # type: ignore[assignment]
 
     def __bool__(self):
         return True

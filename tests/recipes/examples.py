@@ -37,7 +37,7 @@ def event(spanning, drop, reaches):
 
 
 def load(*events):
-    return by_way([e | {"t_start": float(n)} for n, e in enumerate(events)])
+    return by_way([e | {"t_start": float(n), "is_over": True} for n, e in enumerate(events)])
 
 
 EARLY, LARGE = event(False, 1, False), event(True, 10, True)

@@ -11,7 +11,7 @@ from claims import judge
 from claims.conditions import RELATIONS, as_number, met
 from claims.judge import as_written, by_convention, holds, interval, interval_of, judged, shares_of
 from claims.judge import unmet, unmet_text
-from claims.samples import Samples, Sampling, Unit, sampled
+from claims.samples import Samples, Sampling, Unit, every, sampled
 from claims.table import read, rows_of, table, ways_of
 from conftest import ROOT, approx
 from measure.conventions import PRIMARY
@@ -249,16 +249,29 @@ def test_samples_are_computed_or_those_count_that_are_there(monkeypatch):
         refused = [((2,), "no such phi")]
 
     for name in ("each", "known"):
-        found = Found([((3,), "three"), ((1,), "one")])
-        monkeypatch.setattr(
-            f"claims.samples.{name}", lambda *_, name=name, found=found: calls.append(name) or found
-        )
+
+        def function(*_, name=name):
+            calls.append(name)
+            return Found([((3,), "three"), ((1,), "one")])
+
+        monkeypatch.setattr(f"claims.samples.{name}", function)
     for is_whole in (False, True):
         monkeypatch.setattr(Sampling, "is_whole", is_whole)
         points, results = zip(*sampled(print, [(1,), (2,), (3,), (4,)]))
         assert points == ((1,), (2,), (3,))
         assert (results[0], str(results[1]), results[2]) == ("one", "no such phi", "three")
     assert calls == ["known", "each"]
+
+
+def test_where_every_point_is_needed_a_refusal_is_an_error(monkeypatch):
+    class Found(list):
+        refused: list = []
+
+    monkeypatch.setattr("claims.samples.each", lambda *_: Found([((1,), "one")]))
+    assert every(print, [(1,)], "points") == {(1,): "one"}
+    Found.refused = [((2,), "prepare: no such phi")]
+    with raises(Failure, match="points: prepare: no such phi"):
+        every(print, [(1,), (2,)], "points")
 
 
 class TestTable:

@@ -65,7 +65,7 @@ def test_a_module_imports_only_from_its_layer_and_those_below(path):
         ("events", "import report.page", True),
         ("report.crate", "from reproduce import clean", True),
         ("report.crate", "from chains.ini import new_ini", True),
-        ("fig3.figure", "import events, fig2.commands, claims.paper, numpy", False),
+        ("fig3.figure", "import events, fig2.commands, paper, numpy", False),
         ("reproduce.compute", "import chains.plan, report.page", False),
     ],
 )

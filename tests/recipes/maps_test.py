@@ -1,4 +1,4 @@
-"""Maps of front types (measure/front_map.py, maps.py, robustness) and shares of pairs (pairs.py)."""
+"""Maps of front types (measure/front_map.py, maps.py, robustness), shares of pairs (pairs.py)."""
 
 from pytest import mark, raises
 from rupture.errors import Failure

@@ -115,7 +115,8 @@ def test_1F_forces_of_a_junction_beside_the_law():
 def test_a_front_that_does_not_arrest_reaches_the_end_under_the_distance_law():
     event = {"type": "slow", "slow": {"x_from": 0.07}, "L": 0.14}
     for x_arrest, reaches in ((None, 1), (0.07, 0.5)):
-        found = distance.measured_event(event, event | {"x_arrest": x_arrest})
+        kind = "slow" if x_arrest is None else "arrested"
+        found = distance.measured_event(event, event | {"x_arrest": x_arrest, "type": kind})
         assert found["which reaches [L]"] == reaches
 
 

@@ -4,7 +4,7 @@ from math import isnan
 
 from rupture.once import Report
 
-from claims import paper
+import paper
 from claims_test import copied
 from conftest import approx
 from fig3 import front_speed, slow_slip
@@ -84,7 +84,7 @@ class TestSlowSlip:
     def test_neighbours(self):
         blocks = [10, 11, 13, 14]  # 11 and 13 are no neighbours
         x = [slow_slip.WIDTH * block for block in blocks]
-        front = {"variant": "k_i", "per_block": {"x": x, "speed": [1.0, 1.1, 3.0, 2.4]}}
+        front: dict = {"variant": "k_i", "per_block": {"x": x, "speed": [1.0, 1.1, 3.0, 2.4]}}
         assert slow_slip.largest_ratio(front) == approx(1.25)
         found = slow_slip.neighbours(Report(rows=[front]), PRIMARY)
         assert [*found.values()] == [None, 1, 0]
