@@ -266,6 +266,7 @@ def test_a_dry_run_shows_commands_and_runs_none(lab, capfd):
         "rupture prepare -o a.h5",
         "rupture restart a.h5 'a b.csv' -o b.h5 --set 'x=1 from 2mm'",
         "rupture analyze phi b.h5",
+        "rupture analyze stress",
         "rupture load --seed 2 -o a.h5",
         "rupture analyze front a.h5",
         "cp x y",
