@@ -137,7 +137,8 @@ def is_current(path):
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
     texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
-    shown = [*RESULTS.glob("*/*.json*"), *RESULTS.glob("*/*/*.json*")]
+    of_recipes = (RESULTS / name for name in recipe_names(SHARE))
+    shown = [RESULTS / "jobs.jsonl", *(one for at in of_recipes for one in at.glob("*.json*"))]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
 

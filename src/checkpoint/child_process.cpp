@@ -42,7 +42,7 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
 ChildEnd in_child_process(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child < 0) {
-    throw Unreadable("cannot start a process: {}; try again later", std::strerror(errno));
+    throw MachineFailure("cannot start a process: {}; try again later", std::strerror(errno));
   }
   if (child == 0) be_the_child(work);
   int status = 0;

@@ -12,7 +12,7 @@ struct ChildEnd {
 };
 
 /// Runs `work` in a copy of this process, which prints nothing, writes no core, and is ended after
-/// four minutes of processor time. Throws Unreadable if there is none to be had.
+/// four minutes of processor time. Throws MachineFailure if there is none to be had.
 ChildEnd in_child_process(const std::function<int()>& work);
 
 }  // namespace rupture

@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_reading(const fs::path& path) {
-  throw Unreadable("cannot read {}: {}; check the permissions of the file and its folder",
-                   path.string(), std::strerror(errno));
+  throw MachineFailure("cannot read {}: {}; check the permissions of the file and its folder",
+                       path.string(), std::strerror(errno));
 }
 
 // Throws unless a regular file is there; returns its size [bytes].

@@ -12,7 +12,7 @@ from rupture.commands import code
 from rupture.commands.code import digest_at, sections, stamp_of
 from rupture.errors import Failure, NoSuchName, UsageError
 from rupture import once
-from rupture.once import asked, measured, run
+from rupture.once import asked, each, measured, run
 
 pytest_plugins = "laboratory"
 
@@ -266,12 +266,12 @@ def test_what_was_asked_for_is_known_in_order(lab):
     with asked() as log:
         run("load -o unused.h5")
         front = run(f"analyze front {run('load -o a.h5')['a.h5']}")
+        each(lambda n: run(f"analyze slip --sleep {0.2 - 0.1 * n} --x {n}"), range(2))
         open(run("prepare -o b.h5")["b.h5"])
         run("analyze stress")
+        run(f"analyze front {run('load -o a.h5')['a.h5']}")
     run("analyze phi")
-    assert [work.line for work in log] == [
-        "analyze front a.h5",
-        "prepare -o b.h5",
-        "analyze stress",
-    ]
+    points = ["analyze slip --sleep 0.2 --x 0", "analyze slip --sleep 0.1 --x 1"]
+    wanted = ["analyze front a.h5", *points, "prepare -o b.h5", "analyze stress"]
+    assert [work.line for work in log] == wanted
     assert front.said == "analyze front a.h5"

@@ -11,11 +11,11 @@ from unittest.mock import Mock, patch
 import pytest
 
 from conftest import ROOT, run
-from reproduce import machine
 from rupture import programs
+from rupture.commands import machine
 from rupture.errors import Failure
 from reproduce.checks import defines_layout, slowest_tests
-from reproduce.compute import count_cores, memory_of_allocation
+from reproduce.place import count_cores, memory_of_allocation
 from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
 
@@ -190,7 +190,7 @@ def test_clean_follows_no_link(project):
 def test_standard_output_that_takes_nothing_is_said(to, reason):
     command = ["bash", "-c", f"./reproduce.sh list >{to}"]
     done = subprocess.run(command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
-    assert (done.returncode, done.stderr) == (1, f"reproduce.sh: standard output: {reason}\n")
+    assert (done.returncode, done.stderr) == (3, f"reproduce.sh: standard output: {reason}\n")
 
 
 def test_a_profile_is_a_step_for_an_allocation_and_a_former_one_gets_a_sentence(project):

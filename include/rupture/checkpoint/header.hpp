@@ -54,10 +54,9 @@ struct BrokenSeal : Failure {
 /// ours or damaged in its header, BrokenSeal if it is truncated or damaged behind that.
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
 
-/// Thrown if a file cannot be read here and now, whatever it holds: no permission, no memory, no
-/// process to be had, or a filter that this machine lacks.
-struct Unreadable : MachineFailure {
-  using MachineFailure::MachineFailure;
+/// Thrown if a file was packed with a filter that this machine lacks, whatever it holds.
+struct Unreadable : Failure {
+  using Failure::Failure;
 };
 
 }  // namespace rupture

@@ -112,6 +112,8 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
   return {kChanged, changed.what()};
 } catch (const Unreadable& failure) {
   return {kUnreadable, failure.what()};
+} catch (const MachineFailure& failure) {
+  return {kUnreadable, failure.what()};
 } catch (const std::bad_alloc&) {
   return {kUnreadable, fmt::format("cannot read {}: not enough memory", file.string())};
 } catch (const Failure& failure) {
