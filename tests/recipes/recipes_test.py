@@ -1,5 +1,5 @@
-"""./reproduce.sh NAME: what is computed when something changes, fails, crashes or is interrupted; and
-that commands typed by hand give the same files (recipes/reproduce)."""
+"""./reproduce.sh NAME: what is computed when something changes, fails, crashes or is interrupted;
+and that commands typed by hand give the same files (recipes/reproduce)."""
 
 import copy
 import json
@@ -197,7 +197,7 @@ def test_words_compute_nothing_and_describe_the_results_anew(tiny):
 
 def test_what_changes_during_a_run_is_computed_by_the_next_call(tiny):
     figure = tiny.root / "recipes/tiny/figure.py"
-    tiny.replace("bin/prepare", "echo", f"""sed -i 's/ N"/ kN"/' '{figure}'\necho""")
+    tiny.replace("bin/prepare", "\nexec", f"""\nsed -i 's/ N"/ kN"/' '{figure}'\nexec""")
     assert "tiny" in tiny.computed()
     assert tiny.computed() == ["tiny"]
 
