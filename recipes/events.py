@@ -6,11 +6,11 @@ from functools import cache
 from types import SimpleNamespace
 
 from rupture.errors import Failure
-from rupture.once import each, measured, run
+from rupture.once import measured, run
 from rupture.programs import output_of
 
 from claims.recipes import RECIPES
-from claims.samples import Unit, sampled
+from claims.samples import Unit, every, sampled
 from measure.conventions import PRIMARY, SETS, by_way
 from measure.drawn import nothing_drawn
 from measure.fronts import middle_of
@@ -126,8 +126,8 @@ def events_of(seed, law="reference"):
 
 def all_runs():
     """{seed: events} of the reference, all of them."""
-    found = each(events_of, [(seed,) for seed in SEEDS["reference"]], "runs")
-    return {seed: events for (seed,), events in found}
+    found = every(events_of, [(seed,) for seed in SEEDS["reference"]], "runs")
+    return {seed: events for (seed,), events in found.items()}
 
 
 @cache
@@ -269,7 +269,7 @@ def continued(seed, number):
 
 def all_continued():
     """Of all runs."""
-    return [of for _, of in each(continued, slow_events(all_runs().items()), "events")]
+    return [*every(continued, slow_events(all_runs().items()), "events").values()]
 
 
 @cache
@@ -323,4 +323,4 @@ def simplified(number):
 def all_simplified():
     """Every event of that run."""
     count = len(shown_events("simplified")[PRIMARY])
-    return [found for _, found in each(simplified, range(count), "simplified events")]
+    return [*every(simplified, [(n,) for n in range(count)], "simplified events").values()]

@@ -1,6 +1,8 @@
 """The look of the recipes' figures: that of the package, at the sizes of a printed page; and panels
 that several figures draw in the same way."""
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from rupture import plotting
@@ -19,7 +21,7 @@ DOUBLE = 183 * MM  # width of the page [inch]
 MARGIN = 0.5  # shown before the first and after the last rupture [ms]
 
 # The command that draws pictures now, and the files behind them, for their metadata.
-made_by = ["./reproduce.sh report"]
+made_by: Iterable[str] = ["./reproduce.sh report"]
 
 # The same thing has the same colour in all figures.
 FAST, SLOW, ARRESTED = VERMILION, BLUE, "#9A8F3C"  # fronts

@@ -25,7 +25,7 @@ from pathlib import Path
 from rupture.commands.identity import Command, Made, Measurement, Refused
 from rupture.commands.machine import programs_at_a_time
 from rupture.commands.holdings import Scope
-from rupture.commands.making import Making, Unknown
+from rupture.commands.making import Making, Unknown, Untold
 from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
@@ -143,8 +143,10 @@ def each(function, points, title="", only_known=False):
         scope.lacks |= {
             one for result in results if isinstance(result, Unknown) for one in result.args
         }
-    if any(unknown) and (making.scope.only_known or making.dry_run and not only_known):
+    if any(unknown) and making.scope.only_known:
         raise Unknown  # half of what is asked for is not what is asked for
+    if any(unknown) and making.dry_run and not only_known:
+        return Untold()
     making.scope.asked += [
         work for scope, is_unknown in zip(scopes, unknown) if not is_unknown for work in scope.asked
     ]

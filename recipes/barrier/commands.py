@@ -4,7 +4,9 @@ x = 70 mm on, with slow slip and without."""
 from functools import cache
 from itertools import product
 
-from rupture.once import each, run
+from rupture.once import run
+
+from claims.samples import every
 
 FIRST = 28  # block of the patch, at 70 mm
 PLAIN = (0.4, 1)  # mu_s and width of no patch
@@ -29,5 +31,5 @@ def front_at(tau_bar, strength, width, f_new):
 def places():
     """{(tau_bar_0, mu_s, width): (front with slow slip, without)}"""
     patches = [*product(FRONTS, STRENGTHS, WIDTHS), *((tau_bar, *PLAIN) for tau_bar in FRONTS)]
-    found = dict(each(front_at, [(*at, f_new) for at in patches for f_new in F_NEW], "fronts"))
+    found = every(front_at, [(*at, f_new) for at in patches for f_new in F_NEW], "fronts")
     return {at: tuple(found[*at, f_new] for f_new in F_NEW) for at in patches}

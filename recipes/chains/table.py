@@ -21,7 +21,7 @@ from chains.sweeps import result
 from measure.tables import write_table
 from measure.front_map import TYPES
 from chains.picture import draw
-from rupture.figures import made_by
+from rupture import figures
 
 SHOWN = 5  # sentences of failed points
 TWO_DECADES = 100
@@ -255,7 +255,7 @@ def report_sweep(sweep, missing):
     if elements:
         print(f"Table of lists: {stem}-elements.csv and .hdf5", flush=True)
     paths = (point.path for point in sweep.points)
-    made_by[:] = origin_lines(f"./reproduce.sh sweep {plan.name}", zip(paths, results))
+    figures.made_by = origin_lines(f"./reproduce.sh sweep {plan.name}", zip(paths, results))
     print(draw(stem, sweep, columns) or f"Picture: {stem}.png and .pdf", flush=True)
     if unfinished:
         print("To retry the unfinished points, run the same command again.", file=sys.stderr)

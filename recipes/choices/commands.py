@@ -8,7 +8,7 @@ from rupture.once import each, run
 
 import events
 import maps
-from claims.samples import Unit
+from claims.samples import Unit, every, outcomes
 from events import LAWS, duration, loads_from, slow_events
 from measure.conventions import PRIMARY
 
@@ -49,7 +49,7 @@ def edges():
     """{(choice, sigma_bar): edges}"""
     choices = [choice for choice in CHOICES if choice not in DECAYING]
     points = {(choice, s): (s, CHOICES[choice]) for choice in choices for s in SIGMA_BARS}
-    found = dict(each(maps.edges, [*points.values()], "edges"))
+    found = every(maps.edges, [*points.values()], "edges")
     return {place: found[point] for place, point in points.items()}
 
 
@@ -76,7 +76,7 @@ def runs():
     """{choice: [(seed, {way: events})]}; nothing of what matters to prepared interfaces only."""
     points = [(choice, seed) for choice in CHOICES if choice != "K-tenth" for seed in SEEDS]
     found: dict[str, list] = {choice: [] for choice in CHOICES}
-    for (choice, seed), events_of_run in each(events_of, points, "loads"):
+    for (choice, seed), events_of_run in every(events_of, points, "loads").items():
         found[choice].append((seed, events_of_run))
     return found
 
@@ -106,7 +106,7 @@ def branches():
         if choice not in DECAYING
     ]
     found: dict[str, list] = {choice: [] for choice in CHOICES}
-    for (choice, seed, _), of_event in each(branch, points, "branches"):
+    for (choice, seed, _), of_event in outcomes(points, each(branch, points, "branches")):
         found[choice].append(Unit(seed, of_event))
     return found
 

@@ -30,8 +30,22 @@ class Sampling:
     is_whole = False
 
 
-def sampled(function, points, title=""):
-    """[(point, what was found there, or a Failure)] of all points, or of those that are there."""
-    found = each(function, points, title) if Sampling.is_whole else known(function, points)
+def outcomes(points, found):
+    """[(point, what was found there, or a Failure)] of those that `each` or `known` knows."""
     results = dict(found) | {point: Failure(sentence) for point, sentence in found.refused}
     return [(point, results[point]) for point in points if point in results]
+
+
+def sampled(function, points, title=""):
+    """outcomes() of all points, or of those that are there."""
+    if Sampling.is_whole:
+        return outcomes(points, each(function, points, title))
+    return outcomes(points, known(function, points))
+
+
+def every(function, points, title=""):
+    """{point: what was found there}. Raises Failure if one of them was refused."""
+    found = each(function, points, title)
+    for _, sentence in found.refused:
+        raise Failure(f"{title}: {sentence}")
+    return dict(found)

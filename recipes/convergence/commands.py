@@ -3,9 +3,10 @@
 import shutil
 from functools import cache
 
-from rupture.once import each, measured, run
+from rupture.once import measured, run
 
 from claims.recipes import RECIPES
+from claims.samples import every
 from convergence.lammps import compared
 from events import EVENTS, FINE, shipped, shown_event
 from maps import fronts_at, places_of, plain_front_at, spaced
@@ -36,7 +37,7 @@ def event_with(name, dt):
 def events():
     """{event: its fronts, per time step}"""
     first, *others = STEPS
-    found = dict(each(event_with, [(name, dt) for name in EVENTS for dt in others], "events"))
+    found = every(event_with, [(name, dt) for name in EVENTS for dt in others], "events")
     return {
         name: [shown_event(EVENTS[name]).front, *(found[name, dt] for dt in others)]
         for name in EVENTS

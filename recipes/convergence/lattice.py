@@ -3,8 +3,7 @@ explains the scaling."""
 
 from functools import cache
 
-from rupture.once import each
-
+from claims.samples import every
 from maps import Interfaces
 from measure.fronts import SLOW_BELOW, STENCIL
 
@@ -80,4 +79,4 @@ def edges_of(setting, sigma_bar):
 @cache
 def edges():
     """{(setting, sigma_bar): edges on the lattices from coarse to fine}"""
-    return dict(each(edges_of, [(name, s) for name in SETTINGS for s in SIGMA_BARS], "lattices"))
+    return every(edges_of, [(name, s) for name in SETTINGS for s in SIGMA_BARS], "lattices")

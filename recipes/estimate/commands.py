@@ -3,9 +3,9 @@
 from functools import cache
 from types import SimpleNamespace
 
-from rupture.once import each, run
+from rupture.once import run
 
-from claims.samples import Samples
+from claims.samples import Samples, every
 from events import shipped
 
 SLIP = "over_f_slip_per_k_ij"
@@ -24,7 +24,7 @@ def estimates():
     return SimpleNamespace(
         reference=run(f"analyze estimate {shipped('fast-slow-fast')} --ensemble 1000"),
         unbreakable=run(f"analyze estimate {unbreakable} --ensemble 1000"),
-        relaxations=[of for _, of in each(relaxation, range(1, 51), "relaxations")],
+        relaxations=[*every(relaxation, [(n,) for n in range(1, 51)], "relaxations").values()],
     )
 
 

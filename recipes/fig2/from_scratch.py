@@ -2,9 +2,10 @@
 (./reproduce.sh NAME --from-scratch)."""
 
 from rupture.errors import Failure
-from rupture.once import each, measured, run
+from rupture.once import measured, run
 from rupture.programs import output_of
 
+from claims.samples import every
 from events import CHECKPOINTS, shown_events
 from measure.conventions import PRIMARY
 from measure.fronts import is_fast_only
@@ -45,5 +46,4 @@ def check():
     """Raises Failure if one of them is not."""
     chosen = choose(shown_events("reference")[PRIMARY])
     points = [(name, event["t_start"]) for name, event in chosen.items()]
-    for _, sentence in each(made_anew, points, "checkpoints from t = 0").refused:
-        raise Failure(sentence)
+    every(made_anew, points, "checkpoints from t = 0")

@@ -5,10 +5,10 @@ import math
 from functools import cache
 
 import numpy as np
-from rupture.once import each, measured, run
+from rupture.once import measured, run
 from rupture.reports import values
 
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from fig3.decay_length import METHODS, decay_of_front, median
 from fig3.front_speed import parameters
 from fig3.slow_fronts import record_of
@@ -33,8 +33,8 @@ def front_at(tau_bar, seed):
 def fronts(seed):
     """{tau_bar_0: what decay_length.py reports}"""
     points = [(tau_bar, seed) for tau_bar in spaced(0.07, 0.12, 0.005)]
-    found = each(front_at, points, f"decay length, seed {seed}")
-    return {tau_bar: of for (tau_bar, _), of in found}
+    found = every(front_at, points, f"decay length, seed {seed}")
+    return {tau_bar: of for (tau_bar, _), of in found.items()}
 
 
 def stiffness(kappa, seed):
@@ -47,7 +47,7 @@ def stiffness(kappa, seed):
 def fronts_by_stiffness(seed):
     """By k_i, from the largest."""
     points = [(kappa, seed) for kappa in KAPPAS]
-    return [of for _, of in each(stiffness, points, f"stiffness, seed {seed}")]
+    return [*every(stiffness, points, f"stiffness, seed {seed}").values()]
 
 
 # --- what claims measure -----------------------------------------------------------------------

@@ -4,9 +4,7 @@ Pressure and mu_s are as ever, tau-bar is now tau_0/(mu_s p)."""
 from functools import cache
 from types import SimpleNamespace
 
-from rupture.once import each
-
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from maps import SEEDS, edges, fronts_at, places_of, spaced, width
 from measure.conventions import CONVENTIONS, PRIMARY
 from measure.front_map import TYPES, beyond_trigger, front_type
@@ -29,8 +27,8 @@ def bands(sigma_bar, seed):
 
 
 def of_seed(seed):
-    found = each(bands, [(sigma, seed) for sigma in SIGMA_BARS], f"edges, seed {seed}")
-    return SimpleNamespace(fronts=[*fronts(seed).values()], bands=[of for _, of in found])
+    found = every(bands, [(sigma, seed) for sigma in SIGMA_BARS], f"edges, seed {seed}")
+    return SimpleNamespace(fronts=[*fronts(seed).values()], bands=[*found.values()])
 
 
 def each_seed():

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 from rupture.once import each, run
 
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from events import FINE, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
@@ -76,7 +76,7 @@ def longer(t_R):
 @cache
 def of_event():
     points = [(t_R,) for t_R in (1e-3, 1.5e-3, 2e-3, 3e-3, 4e-3)]
-    return slow.usable([row for _, row in each(longer, points, "event II")])
+    return slow.usable([*every(longer, points, "event II").values()])
 
 
 # --- fits --------------------------------------------------------------------------------------

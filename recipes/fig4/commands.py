@@ -8,7 +8,7 @@ from rupture.once import each, keep, run
 from rupture.reports import LOADING_ZONE, values
 
 import maps
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from events import EVENTS, all_continued, shown_event, units_of_branches, units_of_events, widened
 from fig4 import strength
 from maps import COARSE, order, places_of, spaced  # noqa: F401  (order: of claim 4D)
@@ -97,7 +97,7 @@ def curve_at(shape, sigma_bar):
 def curves():
     """{shape: (sigma_bar, mu_bar_eff)}"""
     sigma_bars = spaced(0, 0.55, 0.025)
-    found = dict(each(curve_at, [(shape, s) for shape in SHAPES for s in sigma_bars], "curves"))
+    found = every(curve_at, [(shape, s) for shape in SHAPES for s in sigma_bars], "curves")
     return {shape: (sigma_bars, [found[shape, s] for s in sigma_bars]) for shape in SHAPES}
 
 
@@ -172,7 +172,7 @@ def each_seed():
 def edges_with_and_without():
     """{sigma_bar: (edges with slow slip, edges without)}"""
     points = [(sigma, options) for sigma in SIGMA_BARS for options in ("", NO_SLOW_SLIP)]
-    found = dict(each(maps.edges, points, "edges"))
+    found = every(maps.edges, points, "edges")
     return {sigma: (found[sigma, ""], found[sigma, NO_SLOW_SLIP]) for sigma in SIGMA_BARS}
 
 

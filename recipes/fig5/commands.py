@@ -4,10 +4,10 @@ from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
-from rupture.once import each, keep, measured, run
+from rupture.once import keep, measured, run
 from rupture.reports import value, values
 
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from events import FINE, checkpoint_at, shown_event, units_of_events
 from fig5.quasistatic_stretch import advances_of, stretch_of
 from maps import spaced
@@ -90,7 +90,7 @@ def branches():
     """At each tenth of the stretch between the first two dynamic events."""
     stretch = measured(stretch_of, shown_load()["record.h5"], EVERY)
     points = [(number,) for number in range(len(stretch.branches))]
-    return [of for _, of in each(shown_branch, points, "driving stopped")]
+    return [*every(shown_branch, points, "driving stopped").values()]
 
 
 def middle_branch():

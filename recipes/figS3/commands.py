@@ -6,10 +6,10 @@ from itertools import product
 from types import SimpleNamespace
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 from rupture.reports import values
 
-from claims.samples import Samples
+from claims.samples import Samples, every
 from measure.fronts import type_on_map
 from paper import MU_D, MU_S
 
@@ -37,7 +37,7 @@ def interface(tau_bar, sigma_bar):
 @cache
 def interfaces():
     """{(tau_bar_0, sigma_bar): what was found there}"""
-    return dict(each(interface, list(product(TAU_BARS, SIGMA_BARS)), "interfaces"))
+    return every(interface, [*product(TAU_BARS, SIGMA_BARS)], "interfaces")
 
 
 # --- what claims measure -----------------------------------------------------------------------

@@ -4,9 +4,9 @@ of branch."""
 from functools import cache
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 
-from claims.samples import Samples
+from claims.samples import Samples, every
 from figS5.quadrature import largest_mean_force, uniform_closed_form
 
 SHAPES = ("uniform", "bell")
@@ -21,7 +21,7 @@ class Strength:
     """The tool's result for one shape, beside quadrature."""
 
     def __init__(self, shape):
-        reports = [of for _, of in each(strength, [(shape, s) for s in SIGMA_BARS], shape)]
+        reports = every(strength, [(shape, s) for s in SIGMA_BARS], shape).values()
         self.shape, self.sigma_bar = shape, np.array(SIGMA_BARS)
         self.mu_bar = np.array([of.mu_bar_eff for of in reports])
         self.mu = np.array([of.mu_eff for of in reports])

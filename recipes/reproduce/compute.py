@@ -4,6 +4,7 @@ import json
 import os
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 from claims.print_claims import print_claims
@@ -11,9 +12,10 @@ from claims.recipes import recipe_names
 from claims.table import samples_from
 from report.written import LIST, append_to, note, refuse_others
 from reproduce.place import place_of
-from reproduce.project import BESIDE_ALL, LOGS, PROGRAMS, ROOT, SHARE, WORK, complain, refuse_links
+from reproduce.project import BESIDE_ALL, ROOT, SHARE, complain, refuse_links
 from reproduce.project import say, use_own_environment
 from reproduce.processes import ensure_packages, set_up
+from reproduce.stamps import is_current as is_made
 from rupture import once
 from rupture.commands.processes import Local
 from rupture.errors import Failure, MachineFailure
@@ -59,28 +61,23 @@ def is_whole(recipe, named):
 def dry_run(request, processes):
     prepare(request, processes)
     making = once.use(STORE, dry_run=True)
-    from reproduce import recipes  # NumPy and more, which nobody needs if there is nothing to do
+    from reproduce import recipes
 
     if request.from_scratch:
-        try:
+        with suppress(once.Unknown):
             recipes.check_from_scratch(making)
-        except once.Unknown:
-            pass
     for name in request.words:
         say(f"# {name}")
         recipes.show(name, is_whole(name, request.words))
     return 0
 
 
-def make_all(named, making, place):
-    """Makes those that are not as they should be. Returns how many, and whether one failed."""
-    from reproduce.stamps import is_current
+def make_all(stale, named, making):
+    """Returns whether one could not be made."""
+    from reproduce import recipes  # NumPy and more, which nobody needs if there is nothing to do
 
     begun, has_failed = time.monotonic(), False
-    stale = [name for name in named if not is_current(name, is_whole(name, named), making.store)]
     for number, name in enumerate(stale, 1):
-        from reproduce import recipes
-
         try:
             recipes.make(name, is_whole(name, named), making)
         except MachineFailure:
@@ -90,7 +87,7 @@ def make_all(named, making, place):
             complain(f"{name}: {failure}")
             continue
         say(f"[{time.monotonic() - begun:4.0f} s] {number} of {len(stale)}: {name}")
-    return len(stale), has_failed
+    return has_failed
 
 
 def reproduce(request, processes):
@@ -106,10 +103,12 @@ def reproduce(request, processes):
             from reproduce.recipes import check_from_scratch
 
             check_from_scratch(making)
-        count, has_failed = make_all(named, making, place)
+        store = making.store
+        stale = [name for name in named if not is_made(name, is_whole(name, named), store)]
+        has_failed = bool(stale) and make_all(stale, named, making)
     finally:
         once.finish()
-    if not count:
+    if not stale:
         say("Nothing to compute: all results are up to date.")
     if has_failed:
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
@@ -137,7 +136,8 @@ def is_current(path):
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
     texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
-    shown = [*RESULTS.glob("*/*.json*"), *RESULTS.glob("*/*/*.json*")]
+    of_recipes = (RESULTS / name for name in recipe_names(SHARE))
+    shown = [RESULTS / "jobs.jsonl", *(one for at in of_recipes for one in at.glob("*.json*"))]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
 

@@ -29,7 +29,8 @@ class MadeBy:
     """For the metadata of pictures: what draws them, and the files behind them so far."""
 
     def __init__(self, recipe, asked):
-        self.recipe, self.asked, self.found = recipe, asked, (0, [])
+        self.recipe, self.asked = recipe, asked
+        self.found: tuple[int, list[str]] = (0, [])
 
     def __iter__(self):
         if self.found[0] != len(self.asked):
@@ -116,11 +117,9 @@ def note_asked(recipe, works, store, is_finished=True):
 
 def check_from_scratch(making):
     """Checkpoints that are shipped must come out as they are. Raises Failure if one does not."""
-    Sampling.is_whole = True
-    with once.asked() as works:
-        import_module(FROM_SCRATCH).check()
-    if not making.dry_run:
-        note_asked("from-scratch", with_sources(works), making.store)
+    Sampling.is_whole, scope = True, Scope(making.scope)
+    making.within(scope, import_module(FROM_SCRATCH).check, ())
+    note_asked("from-scratch", with_sources(dict.fromkeys(scope.asked)), making.store)
 
 
 def show(recipe, is_whole):

@@ -50,7 +50,7 @@ def is_current(recipe, is_whole, store):
         return False
     if any(store.place(own, "json").exists() for own in stamp["lacks"]):
         return False
-    new = {}
+    new: dict[str, list] = {}
     for path, (seen, content) in stamp["files"].items():
         with suppress(OSError):
             if seen == [*stamp_of(path)]:

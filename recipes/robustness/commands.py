@@ -3,10 +3,10 @@ law by which junctions slip for a distance."""
 
 from functools import cache
 
-from rupture.once import each, run
+from rupture.once import run
 
 import maps
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Unit, every, sampled
 from events import FINE, LAWS, units_of_runs
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim exponential-event)
 from fig3.commands import continued
@@ -118,7 +118,7 @@ def distance_bands():
     """{distance: {sigma_bar: (its edges, those of the reference)}}"""
     laws = {"": "", **{name: by_distance(name) for name in DISTANCES}}
     points = [(sigma, of) for of in laws.values() for sigma in SIGMA_BARS]
-    found = dict(each(maps.edges, points, "edges"))
+    found = every(maps.edges, points, "edges")
     return {
         name: {sigma: (found[sigma, laws[name]], found[sigma, ""]) for sigma in SIGMA_BARS}
         for name in DISTANCES

@@ -5,6 +5,7 @@ from itertools import product
 
 from rupture.once import each, measured, run
 
+from claims.samples import every
 from events import checkpoint_at
 from fig3.slow_fronts import option, rounded
 from measure.fronts import front_spans
@@ -86,5 +87,5 @@ def history(seed):
 
 @cache
 def histories():
-    found = each(history, [(seed,) for seed in LOADS], "loads")
-    return [row for _, rows in found for row in rows]
+    found = every(history, [(seed,) for seed in LOADS], "loads")
+    return [row for rows in found.values() for row in rows]

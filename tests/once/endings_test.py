@@ -82,7 +82,7 @@ def test_kills_at_any_moment_leave_results_of_an_uninterrupted_call(lab):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_signal_ends_programs_and_says_how_to_go_on(lab, number):
     with lab.start(LONG) as it:
-        wait_for(lambda: len(sleeping(lab)) == 2 and lab.stored("*.json"))
+        wait_for(lambda: lab.stored("*.json") and len(sleeping(lab)) == 2)
         since = time.monotonic()
         it.send_signal(number)
         output, said = it.communicate(timeout=20)

@@ -9,6 +9,7 @@ import time
 import pytest
 
 from conftest import succeeds
+from rupture.commands import machine
 from rupture.errors import Failure, MachineFailure
 from rupture.once import Refused, asked, each, known, run, script_of
 
@@ -114,6 +115,16 @@ def test_points_are_few_values_each_and_come_in_their_order(lab):
     assert each(lambda a: a, iter("ab")) == [(("a",), "a"), (("b",), "b")]
 
 
+@pytest.mark.parametrize("megabytes, programs", [(900, 1), (3300, 3), (99000, 8)])
+def test_each_program_has_a_core_and_memory(lab, monkeypatch, megabytes, programs):
+    monkeypatch.setattr(machine, "usable_cores", lambda: 8)
+    monkeypatch.setattr(machine, "usable_megabytes", lambda: megabytes)
+    lab.call(cores=None)
+    meter = Meter()
+    each(lambda n: meter.work(0.03), range(30))
+    assert meter.most == programs
+
+
 # --- refusals
 
 
@@ -165,8 +176,13 @@ def test_a_mistake_in_a_point_is_raised_as_it_is(lab):
         each(lambda n: each(lambda m: 1 / m, [0]), [1, 2, 3])
     lab.call(cores=1)
     begun: list = []
+
+    def point(n):
+        begun.append(n)
+        return begun[9]
+
     with pytest.raises(IndexError):
-        each(lambda n: begun.append(n) or begun[9], range(9))
+        each(point, range(9))
     assert begun == [0]
 
 
@@ -188,7 +204,7 @@ def test_known_points_are_those_with_all_reports_and_nothing_runs(lab):
 
     assert known(front, range(5)) == [((1,), "analyze front a.h5"), ((3,), "analyze front a.h5")]
     found = known(point, [0, 1, 2, 9])
-    assert [len(one) for _, one in found] == [0, 2, 0] and found.refused == [
+    assert found == [((1,), ["analyze front a.h5"] * 2)] and found.refused == [
         ((9,), "load: it cannot")
     ]
     assert known(lambda n: open(run("load --seed 1 -o a.h5")["a.h5"]).read(), [1]) == []
@@ -250,6 +266,7 @@ def test_a_dry_run_shows_commands_and_runs_none(lab, capfd):
         "rupture prepare -o a.h5",
         "rupture restart a.h5 'a b.csv' -o b.h5 --set 'x=1 from 2mm'",
         "rupture analyze phi b.h5",
+        "rupture analyze stress",
         "rupture load --seed 2 -o a.h5",
         "rupture analyze front a.h5",
         "cp x y",

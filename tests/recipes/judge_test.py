@@ -11,7 +11,7 @@ from claims import judge
 from claims.conditions import RELATIONS, as_number, met
 from claims.judge import as_written, by_convention, holds, interval, interval_of, judged, shares_of
 from claims.judge import unmet, unmet_text
-from claims.samples import Samples, Sampling, Unit, sampled
+from claims.samples import Samples, Sampling, Unit, every, sampled
 from claims.table import read, rows_of, table, ways_of
 from conftest import ROOT, approx
 from measure.conventions import PRIMARY
@@ -261,6 +261,17 @@ def test_samples_are_computed_or_those_count_that_are_there(monkeypatch):
         assert points == ((1,), (2,), (3,))
         assert (results[0], str(results[1]), results[2]) == ("one", "no such phi", "three")
     assert calls == ["known", "each"]
+
+
+def test_where_every_point_is_needed_a_refusal_is_an_error(monkeypatch):
+    class Found(list):
+        refused: list = []
+
+    monkeypatch.setattr("claims.samples.each", lambda *_: Found([((1,), "one")]))
+    assert every(print, [(1,)], "points") == {(1,): "one"}
+    Found.refused = [((2,), "prepare: no such phi")]
+    with raises(Failure, match="points: prepare: no such phi"):
+        every(print, [(1,), (2,)], "points")
 
 
 class TestTable:

@@ -124,7 +124,11 @@ class TestNoSlipForce:
         assert [*found.values()] == approx([4, *kinds, widest])
 
     def test_the_slowest_stencil_beyond_the_trigger_region_of_a_front_that_spans(self):
-        of = {"x": [0.01, 0.03, 0.04, 0.05], "v_c": [1.0, 300.0, 90.0, -1.0], "t_rupture": [1.0]}
+        of: dict = {
+            "x": [0.01, 0.03, 0.04, 0.05],
+            "v_c": [1.0, 300.0, 90.0, -1.0],
+            "t_rupture": [1.0],
+        }
         of["criteria"] = {"skip_below_x": 0.02}
         arrested = of | {"t_rupture": [None]}
         assert [no_slip_force.slowest(one) for one in (of, arrested, None)] == [90, None, None]

@@ -11,11 +11,11 @@ from unittest.mock import Mock, patch
 import pytest
 
 from conftest import ROOT, run
-from reproduce import machine
 from rupture import programs
+from rupture.commands import machine
 from rupture.errors import Failure
 from reproduce.checks import defines_layout, slowest_tests
-from reproduce.compute import count_cores, memory_of_allocation
+from reproduce.place import count_cores, memory_of_allocation
 from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
 

@@ -134,9 +134,9 @@ class Command(Work):
         except OSError as error:
             raise MachineFailure(f"'{self.line}' cannot start: {error.strerror}") from error
         if code and not (code == 1 and self.has_report and output and not sentence):  # as of diff
-            if self.program in OURS and code in (1, 2) and sentence and sentence[:9] != "Traceback":
-                sentence = sentence.splitlines()[-1]
-                return {"status": "refused", "code": code, "sentence": sentence}
+            last = "".join(sentence.splitlines()[-1:])
+            if code in (1, 2) and last.removeprefix("rupture ").startswith(f"{self.program}: "):
+                return {"status": "refused", "code": code, "sentence": last}
             kind = MachineFailure if code == 3 else Failure
             raise kind(f"'{self.line}' ended with {code}: {sentence}; the next call tries again")
         answers = [json.loads(line) for line in output.splitlines()] if said else []
@@ -178,4 +178,4 @@ class Measurement(Work):
         except Failure as why:
             if is_of_machine(why):
                 raise
-            return {"status": "refused", "sentence": str(why)}
+            return {"status": "refused", "sentence": str(why).replace(f"{folder}/", "")}

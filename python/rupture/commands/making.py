@@ -96,6 +96,7 @@ class Making:
     def do(self, work):
         """Its result. One does it; others who want it wait."""
         if self.scope.only_known:
+            self.check_sources(work)
             raise Unknown(work.own)
         lock = self.locks.setdefault(work.own, threading.Lock())
         if not lock.acquire(blocking=False):
@@ -109,6 +110,15 @@ class Making:
             return self.do_now(work, result)
         finally:
             lock.release()
+
+    def check_sources(self, work):
+        """Raises Refused if it is known that one of its files cannot be made."""
+        for source in work.inputs.values():
+            if isinstance(source, Made):
+                if result := self.store.result(source.work.own):
+                    self.answer(result)
+                else:
+                    self.check_sources(source.work)
 
     def do_now(self, work, before):
         sources = work.inputs.items()
