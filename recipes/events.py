@@ -2,7 +2,9 @@
 in it. Figures show one run, with seed 1, and events I, II and III of it from checkpoints/."""
 
 import re
+import shlex
 from functools import cache
+from pathlib import PosixPath
 from types import SimpleNamespace
 
 from rupture.errors import Failure
@@ -45,6 +47,13 @@ WIDTH = 0.0025  # of a block [m]
 # --- events I, II and III ----------------------------------------------------------------------
 
 
+class Shipped(PosixPath):
+    """A checkpoint of ours. In the text of a command it is one word, whatever its folder's name."""
+
+    def __format__(self, _):
+        return shlex.quote(str(self))
+
+
 def checked(checkpoint, manifest):
     """Raises Failure if it is not the one in the manifest."""
     sums = dict(re.findall(r"(\S+)  (\S+)\n", manifest.read_text(encoding="utf-8")))
@@ -56,7 +65,7 @@ def checked(checkpoint, manifest):
 @cache
 def shipped(name):
     """The path of a checkpoint from which figures start, 0.5 ms before an event."""
-    path = CHECKPOINTS / f"{name}.h5"
+    path = Shipped(CHECKPOINTS / f"{name}.h5")
     measured(checked, path, CHECKPOINTS / "manifest")
     return path
 
