@@ -44,7 +44,7 @@ def test_draws_several_in_rows_and_says_where_they_come_from(small):
     checksum = small.record.checksum
     with Image.open("two.png") as picture:
         assert picture.size == (2000, 1400)
-        typed, *files = picture.text["Description"].splitlines()
+        typed, *files = picture.info["Description"].splitlines()
     assert typed == "rupture map small-record.h5 small-record.h5 -o two.png --event first-spanning"
     assert files == 2 * [f"small-record.h5: content-sha256 {checksum}"]
     assert b"/Subject (rupture map small-record.h5 small" in Path("two.pdf").read_bytes()

@@ -75,7 +75,8 @@ ChosenEvent part_in_window(const RecordCommand& command, std::span<const Rupture
 /// The event that is under way when a window begins in which nothing ruptures, if there is one.
 ChosenEvent silent_event(const RecordCommand& command) {
   const double from = first_moment(command), quiet = quiet_time(command);
-  ChosenEvent event = {{}, from, command.to};
+  ChosenEvent event = {{}, command.from, command.to};
+  event.end.quiet_time = quiet;
   for (const auto burst : split_at_pauses(command.record.ruptures, quiet)) {
     const auto next = std::ranges::lower_bound(burst, from, {}, &Rupture::time);
     if (next == burst.begin() || from - std::prev(next)->time > quiet) continue;

@@ -31,11 +31,6 @@ using Counts = std::vector<std::optional<std::vector<std::int64_t>>>;
 using Value = std::variant<std::optional<double>, std::int64_t, bool, std::string,
                            std::vector<double>, Numbers, Counts, Group, List>;
 
-/// The value, or null.
-inline Value if_known(bool known, Value value) {
-  return known ? std::move(value) : std::optional<double>();
-}
-
 enum class Csv { no, yes };
 
 /// A right-aligned column of the table in the text. What has no value is shown as "-".
@@ -57,6 +52,11 @@ struct Quantity {
   std::optional<TextColumn> text = {};
   std::string heading = {};  ///< in CSV; "key [unit]" if empty
 };
+
+/// The value, or null.
+inline Value if_known(bool known, Value value) {
+  return known ? std::move(value) : std::optional<double>();
+}
 
 /// The same, also in CSV, and in the text if there is a column; of a group all its rows, under
 /// "group.key".

@@ -114,7 +114,7 @@ std::set<std::int64_t> steps_to_sample(const Interval& every, const Content& row
   const Clock& clock = checkpoint.state.clock;
   const double quiet = quiet_time(p, plan.rule.early);
   std::int64_t seen = first;
-  const auto add = [&](LatestEvent event) {
+  const auto add = [&](const LatestEvent& event) {
     for (auto at = plan.in_events->after(seen);
          at <= step && event.is_under_way(time_at(p, clock, at), quiet);
          at = plan.in_events->after(at)) {

@@ -20,7 +20,7 @@ std::vector<Rupture> ruptures_up_to(std::int64_t last) {
   return ruptures;
 }
 
-std::vector<Event> events_of(std::vector<Rupture> ruptures, double from, double to) {
+std::vector<Event> events_of(const std::vector<Rupture>& ruptures, double from, double to) {
   const std::vector<double> time = {from, to}, F_T = {300.0, 200.0};
   return find_events(Parameters{}, ruptures, {time, F_T}, kPause, {});
 }

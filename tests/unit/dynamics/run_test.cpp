@@ -48,6 +48,51 @@ TEST(RunSoFar, tells_whether_one_of_its_events_has_spanned) {
   EXPECT_TRUE(has_spanned_after(3.0102, 36, 56)) << "9.85 ms later: the same event, 5 t_R = 10 ms";
 }
 
+TEST(RunSoFar, goes_on_with_an_event_that_began_before_it) {
+  const Parameters p;
+  RunSoFar before = run_from(p, 0);
+  for (std::int64_t i = 0; i < 40; ++i) add_rupture(p, {0, 1.0, i}, before);
+  const auto spans_with = [&](const LatestEvent& event, std::int64_t first, double pause) {
+    RunSoFar run = run_from(p, 10, event);
+    if (pause > 0.0) run.early.quiet_time = pause;
+    for (std::int64_t i = first; i < 57; ++i) add_rupture(p, {0, 1.005, i}, run);
+    return run.spanned;
+  };
+  EXPECT_TRUE(spans_with(before.event, 40, 0.0)) << "by half of it";
+  EXPECT_FALSE(spans_with({}, 40, 0.0));
+  EXPECT_FALSE(spans_with(before.event, 40, 0.004)) << "another event, with this --quiet-time";
+  for (std::int64_t i = 40; i < 57; ++i) add_rupture(p, {0, 1.001, i}, before);
+  EXPECT_FALSE(spans_with(before.event, 0, 0.0)) << "it had spanned before the run began";
+}
+
+TEST(PauseBetweenEvents, is_not_set_by_a_patch) {
+  Parameters p;
+  EXPECT_DOUBLE_EQ(pause_between_events(p), 5 * 2e-3);
+  std::vector<double> t_R(57, 2e-3);
+  for (const std::size_t i : {20, 21, 22, 23, 24}) t_R[i] = 20e-3;
+  p.t_R = AlongX<double>(t_R);
+  EXPECT_DOUBLE_EQ(pause_between_events(p), 5 * 2e-3);
+  EXPECT_EQ(AlongX<double>({4, 1, 3, 2}).median(), 2);
+}
+
+TEST_F(Run, ends_at_rest_once_nothing_can_rupture) {
+  for (const Law law : kAllLaws) {
+    Parameters p = quick_slider(law);
+    p.V = 0.0;
+    const Parameters driven = quick_slider(law);
+    Simulation loading(driven, normal_load_equilibrium(driven));
+    loading.advance(1350);  // half of the blocks have ruptured
+    Simulation stopped(p, continued(loading.state(), p));
+    EXPECT_EQ(run(stopped, {1'000'000, {.rupture_of = 8}}, {}),
+              stopped.ruptures().empty() ? Ending::at_rest : Ending::ruptured);
+    EXPECT_EQ(run(stopped, {1'000'000, {.spanned = true}}, {}), Ending::at_rest);
+    const std::size_t ruptures = stopped.ruptures().size();
+    stopped.advance(50'000);
+    EXPECT_EQ(stopped.ruptures().size(), ruptures) << "nothing ruptured any more";
+    EXPECT_EQ(run(stopped, {stopped.state().step + 100, {}}, {}), Ending::last_step);
+  }
+}
+
 TEST_F(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junctions) {
   Parameters p = p_;
   p.N_s = 100000;
