@@ -33,11 +33,13 @@ KILLS = 20
 
 
 def results(lab):
-    """What is in the store, but for times."""
+    """What is known of commands, but for times; and the files that are kept."""
     found = {}
     for name, content in lab.stored().items():
         if name.endswith(".json"):
             result = json.loads(content)
+            if "command" not in result:  # seconds of points, which a killed call does not save
+                continue
             keys = "command status code report checksums kept sentence".split()
             content = [result.get(key) for key in keys]
         found[name] = content
