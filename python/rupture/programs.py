@@ -36,7 +36,7 @@ def path_of(program):
         bin_folder = Path(rupture).resolve().parent
         folders += [bin_folder.parent / "libexec/rupture", bin_folder]
     for path in (str(folder / program) for folder in folders):
-        if os.access(path, os.X_OK):
+        if os.path.isfile(path) and os.access(path, os.X_OK):
             return path
     where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"
     raise Failure(
