@@ -125,7 +125,7 @@ def test_a_project_in_cpp_has_the_library_without_asking(configuring):
     record = ROOT / "tests/compatibility/schema-3/reference-record.h5"
     start = ROOT / "checkpoints/fast-only.h5"
     said = succeeds("build/my_program", start, "stopped.h5", record).stdout
-    assert (said.count(" N\n"), said.count("arrested\n")) == (11, 1)
+    assert (said.count(" N\n"), said.count("unfinished\n")) == (11, 1)
     assert re.search(r"driving.V +0 m/s", succeeds("analyze", "show", "stopped.h5").stdout)
 
 
