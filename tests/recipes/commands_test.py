@@ -72,7 +72,7 @@ def report(_, work):
 
 
 def ask_all():
-    """Calls all functions of recipes that need nothing. What they calculate makes no sense."""
+    """Calls all functions of recipes that need nothing. Nobody reads what they calculate."""
     for path in sorted((ROOT / "recipes").glob("*/*.py")):
         if (path.parent / "commands.py").exists():
             module = importlib.import_module(f"{path.parent.name}.{path.stem}")
