@@ -59,7 +59,7 @@ TEST(Events, have_the_force_of_the_right_samples) {
       {"it falls until it is quiet", {0.5, 1.5, 1.75, 2, 3}, {5, 4, 3, 1, 0}, 5, 3},
       {"there is no sample in that time", {0.5, 2, 3}, {5, 1, 0}, 5, 5},
       {"it rises", {0.5, 1.0, 1.5, 3}, {5, 6, 7, 0}, 6, 6},
-      {"the first sample is later than its start", {1.25, 1.5, 3}, {4, 5, 0}, 4, 4}};
+      {"it began before the first sample", {1.25, 1.5, 3}, {4, 5, 0}, 5, 5}};
   for (const ForceByHand& row : all) {
     SCOPED_TRACE(row.why);
     const auto found = find_events(Parameters{}, ruptures, {row.time, row.F_T}, 0.25, {});
