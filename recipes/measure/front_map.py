@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from rupture.reports import values
 
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import TYPES, type_on_map
 from measure.tables import SLOW_STRETCH, write_table
 
@@ -25,7 +25,7 @@ def beyond_trigger(front):
 
 
 def front_type(front, way=PRIMARY):
-    """By one of WAYS."""
+    """By one of ON_MAP."""
     return IMPOSSIBLE if front is None else type_on_map(front["types"][way])
 
 
