@@ -6,7 +6,7 @@ import rupture
 from events import shown_events
 from fig1 import junction
 from fig1.commands import MIDDLE, event, loading, pulled, steady
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import write_table
 
 

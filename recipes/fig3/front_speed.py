@@ -11,14 +11,16 @@ import numpy as np
 from rupture.once import each, run
 
 import paper
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Sample, sampled
 from fig3 import slow_fronts as slow
 from maps import SEEDS, places_of, spaced
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import numbers
 
 NX = 57
 N_S = 100
+MODELS = ("full", "simplified")
+FASTER = 10  # [m/s]; away from arrest
 SIMPLIFIED = {"junctions.law": "simplified", "sigma-bar": 0, "junctions.v_slow": 1e-3}
 V_SLOW = (0.3e-3, 0.5e-3, 0.75e-3, 1e-3, 1.5e-3, 2e-3, 3e-3, 5e-3)  # [m/s]
 T_R, MU_D = "junctions.t_R", "junctions.mu_d"
@@ -141,7 +143,14 @@ def chosen(rows, model, variants=VARIED):
 
 
 def fits_of(rows):
-    return {model: fit(chosen(rows, model)) for model in ("full", "simplified")}
+    """{model: fit}, and the same of speeds without scaling, and of faster fronts."""
+    found = {}
+    for model in MODELS:
+        of = chosen(rows, model)
+        faster = [row for row in of if row["front speed [m/s]"] >= FASTER]
+        unscaled = slow.fit_through_origin(slip(of), slow.speeds(of))
+        found |= {model: fit(of), f"{model}, unscaled": unscaled, f"{model}, faster": fit(faster)}
+    return found
 
 
 def usable_fronts(seed):
@@ -165,25 +174,45 @@ def fits_at_width(seed, sigma_bar):
 
 
 def each_seed():
-    units = {PRIMARY: sampled(fits, [(seed,) for seed in SEEDS], "front speeds")}
+    taken = {PRIMARY: sampled(fits, [(seed,) for seed in SEEDS], "front speeds")}
     for sigma in (0, 0.2):
         points = [(seed, sigma) for seed in SEEDS]
-        units[f"sigma-bar {sigma}"] = sampled(fits_at_width, points, f"sigma-bar {sigma}")
-    found = {name: [Unit(None, of) for _, of in of_seeds] for name, of_seeds in units.items()}
+        taken[f"sigma-bar {sigma}"] = sampled(fits_at_width, points, f"sigma-bar {sigma}")
+    found = {name: [Sample(None, of) for _, of in of_seeds] for name, of_seeds in taken.items()}
     return Samples({"": fits(1)}, found)
 
 
 def scaling(fits, way):
     """3D"""
-    full, simplified = (fits[way][model] for model in ("full", "simplified"))
+    found = fits[way]
+    exponents = {f"exponent, {model}": found[model].exponent for model in MODELS}
+    return collapse(fits, way) | exponents | (beside(found) if way == PRIMARY else {})
+
+
+def beside(found):
+    """What stands beside claim 3D."""
+    values = {}
+    for model in MODELS:
+        of, faster = found[model], found[f"{model}, faster"]
+        values |= {
+            f"exponent, {model}, 90 % interval": slow.exponent_interval(of),
+            f"exponent, {model}, fronts of {FASTER} m/s or more": faster.exponent,
+            f"speed at no slow slip, {model} [m/s]": of.offset,
+            f"largest deviation from the line, {model}": of.largest,
+        }
+    return values
+
+
+def collapse(fits, way):
+    """3D-collapse"""
+    found = fits[way]
+    full, simplified = (found[model] for model in MODELS)
+    gain = [found[m].r_squared - found[f"{m}, unscaled"].r_squared for m in MODELS]
     return {
         "slope, full": full.slope,
         "slope, simplified": simplified.slope,
         "R^2, full": full.r_squared,
         "R^2, simplified": simplified.r_squared,
         "difference of the slopes": abs(full.slope / simplified.slope - 1),
-        "exponent, full": full.exponent,
-        "exponent, simplified": simplified.exponent,
-        "largest deviation from the line, full": full.largest,
-        "largest deviation from the line, simplified": simplified.largest,
+        "R^2 beyond that without scaling": np.min(gain),
     }

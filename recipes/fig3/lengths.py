@@ -8,12 +8,12 @@ import numpy as np
 from rupture.once import measured, run
 from rupture.reports import values
 
-from claims.samples import Samples, Unit, every, sampled
+from claims.samples import Samples, Sample, every, sampled
 from fig3.decay_length import METHODS, decay_of_front, median
 from fig3.front_speed import parameters
 from fig3.slow_fronts import record_of
 from maps import SEEDS, spaced
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 KAPPA = 39.2e9  # of the reference [N/m^2]
 KAPPAS = (156.8e9, 78.4e9, 39.2e9, 19.6e9, 9.8e9)  # k_i from twice the reference's to half of it
@@ -55,7 +55,7 @@ def fronts_by_stiffness(seed):
 
 def over_seeds(function):
     found = sampled(function, [(seed,) for seed in SEEDS], "seeds")
-    return Samples({"": function(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return Samples({"": function(1)}, {PRIMARY: [Sample(None, of) for _, of in found]})
 
 
 def each_seed():
@@ -76,7 +76,7 @@ def length(fronts, way):
         "slow fronts": sum(of.profiles > 0 for of in fronts),
         "profiles": sum(of.profiles for of in fronts),
         "least and most of a front [mm]": in_mm(each),
-        "least and most of the other conventions [mm]": in_mm(others),
+        "least and most in the other ways [mm]": in_mm(others),
     }
 
 

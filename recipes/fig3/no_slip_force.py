@@ -4,9 +4,9 @@ Pressure and mu_s are as ever, tau-bar is now tau_0/(mu_s p)."""
 from functools import cache
 from types import SimpleNamespace
 
-from claims.samples import Samples, Unit, every, sampled
+from claims.samples import Samples, Sample, every, sampled
 from maps import SEEDS, edges, fronts_at, places_of, spaced, width
-from measure.conventions import CONVENTIONS, PRIMARY
+from measure.ways import WAYS, PRIMARY
 from measure.front_map import TYPES, beyond_trigger, front_type
 from measure.tables import write_table
 
@@ -33,7 +33,7 @@ def of_seed(seed):
 
 def each_seed():
     found = sampled(of_seed, [(seed,) for seed in SEEDS], "f_slip = 0")
-    return Samples({"": of_seed(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return Samples({"": of_seed(1)}, {PRIMARY: [Sample(None, of) for _, of in found]})
 
 
 def types(of, way):
@@ -48,8 +48,8 @@ def types(of, way):
 
 
 def types_of(front):
-    """{convention: type}; impossible where no interface can be prepared."""
-    return {name: front_type(front, name) for name in CONVENTIONS}
+    """{way to measure: type}; impossible where no interface can be prepared."""
+    return {name: front_type(front, name) for name in WAYS}
 
 
 def slowest(front):
@@ -66,5 +66,5 @@ def make(results):
         for (seed,), found in (known or [((1,), fronts(1))])
         for place, front in found.items()
     )
-    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *CONVENTIONS]
+    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *WAYS]
     write_table(results / "no-slip-force.csv", names, rows)

@@ -7,19 +7,19 @@ from types import SimpleNamespace
 import numpy as np
 from rupture.once import each, run
 
-from claims.samples import Samples, Unit, every, sampled
+from claims.samples import Samples, Sample, every, sampled
 from events import FINE, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
 from maps import SEEDS
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import numbers
 
 MM = 1e3  # [mm/m]
 WIDTH = 0.14 / 56  # of a block [m]
 ALIKE = 1.2  # ratio of the speeds of neighbouring blocks, at most
 STIFFNESSES = (1.5e9, 2.25e9, 4.5e9, 6e9)  # slider.E [Pa]
-K_I = {  # the variant in which k_i varies, by convention; primary: as the SI says
+K_I = {  # the variant in which k_i varies, by the way to measure; primary: as the SI says
     PRIMARY: "k_i",
     "trigger's prestress unchanged": "k_i alone",
     "K scaled with E": "k_i and K",
@@ -114,7 +114,7 @@ def fits_of(seed):
 
 def each_seed():
     found = sampled(fits_of, [(seed,) for seed in SEEDS], "slow slip")
-    return Samples({"": fits_of(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return Samples({"": fits_of(1)}, {PRIMARY: [Sample(None, of) for _, of in found]})
 
 
 def inset(of, way):

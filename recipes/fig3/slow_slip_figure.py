@@ -5,7 +5,7 @@ from rupture.figures import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 import paper
 from claims.spread import spread
 from fig3.slow_slip import MM, estimate_and_measured, fits_of, of_event
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import numbers, write_columns
 
 SHOWN = 1  # seed

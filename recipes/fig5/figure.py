@@ -45,7 +45,7 @@ def draw(records, fronts, t_stop, stem):
 
 def make(results):
     of = event()
-    fronts = of.front, of.undriven
+    fronts = of.front, of.undriven[PRIMARY]
     records = [rupture.open(record) for record in (of.record, of.undriven_record)]
     draw(records, fronts, of.stop, results / "fig5A")
     names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]

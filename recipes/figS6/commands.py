@@ -7,13 +7,13 @@ from rupture.once import keep, run
 
 import events
 import maps
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples, Sample, sampled
 from events import FINE, LAWS, shown_events, shown_load
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim S6A)
 from fig4 import commands as fig4
 from maps import order, places_of, spaced  # noqa: F401  (of claim S6B)
 from measure import front_map
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 LAW = "decaying"
 TAU_BARS, SIGMA_BARS = spaced(-0.28, 0.48, 0.04), spaced(0, 0.285, 0.015)
@@ -46,7 +46,7 @@ def map_of_types():
 
 
 def each_run():
-    return Samples({"": shown_of(LAW)}, events.units_of_runs(LAW))
+    return Samples({"": shown_of(LAW)}, events.samples_of_runs(LAW))
 
 
 def each_seed():
@@ -61,7 +61,7 @@ def beside_reference():
     """A sample is this map and that of Figure 4 D, of a seed."""
     found = sampled(both_maps, [(seed,) for seed in maps.SEEDS], "maps")
     shown = {"": dict(found)[(1,)]} if found else {}
-    return Samples(shown, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return Samples(shown, {PRIMARY: [Sample(None, of) for _, of in found]})
 
 
 def slow_range(both, way):

@@ -6,13 +6,13 @@ from functools import cache
 from rupture.once import run
 
 import maps
-from claims.samples import Samples, Unit, every, sampled
-from events import FINE, LAWS, units_of_runs
+from claims.samples import Samples, Sample, every, sampled
+from events import FINE, LAWS, samples_of_runs
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim exponential-event)
 from fig3.commands import continued
 from maps import fronts_at, places_of, plain_front_at, spaced
 from measure import front_map
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.front_map import types_of
 from measure.fronts import TYPES
 
@@ -23,7 +23,7 @@ COARSE_MAP = places_of(spaced(0.02, 0.29, 0.03), spaced(0, 0.24, 0.08))
 
 
 def each_run():
-    return Samples({"": shown_of("exponential")}, units_of_runs("exponential"))
+    return Samples({"": shown_of("exponential")}, samples_of_runs("exponential"))
 
 
 @cache
@@ -80,7 +80,7 @@ def geometry_of_seed(seed):
 
 def each_seed():
     found = sampled(geometry_of_seed, [(seed,) for seed in maps.SEEDS], "geometry")
-    return Samples({"": geometry()}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return Samples({"": geometry()}, {PRIMARY: [Sample(None, of) for _, of in found]})
 
 
 def order_of_all(fronts, way):

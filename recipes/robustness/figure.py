@@ -6,7 +6,7 @@ from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, save
 from rupture.reports import values
 
 from events import shown_events
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.front_map import types_of, write_types
 from measure.fronts import is_fast_only
 from measure.map_panels import draw_regions, name_regions

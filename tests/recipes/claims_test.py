@@ -3,11 +3,11 @@
 import ast
 import inspect
 
-from pytest import mark
+from pytest import fixture, mark
 from rupture.once import Report
 
 from claims.conditions import as_number, met
-from claims.judge import cases_of, function
+from claims.judge import found_in, function
 from claims.recipes import RECIPES, paper_of, recipe_names
 from claims.table import table
 from examples import EXAMPLES, Instead
@@ -37,12 +37,18 @@ def changed(sample, change):
 def answers(measured, conditions, example):
     """Whether the claim holds for this sample, and with each change of it."""
     for change in ({}, *example.within, *example.beyond):
-        [case] = cases_of(measured, changed(example.sample, change))
-        yield all(met(wanted, case[name]) for name, wanted in conditions.items())
+        [one] = found_in(measured, changed(example.sample, change))
+        yield all(met(wanted, one[name]) for name, wanted in conditions.items())
 
 
 def expected(example):
     return [True] * (1 + len(example.within)) + [False] * len(example.beyond)
+
+
+@fixture(autouse=True)
+def few_resamples(monkeypatch):
+    """So many are enough where runs are of two kinds, as in the examples."""
+    monkeypatch.setattr("claims.resampling.RESAMPLES", 40)
 
 
 ROWS: dict = {}
