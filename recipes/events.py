@@ -163,9 +163,9 @@ def samples_of_runs(law="reference"):
     }
 
 
-def before(load, event, times=TIMES):
-    """The state of a run 0.5 ms before an event."""
-    until = round(event.t_start - 0.5e-3, 7)
+def before(load, event, times=TIMES, early=0.5e-3):
+    """The state of a run so long before an event [s]."""
+    until = round(event.t_start - early, 7)
     last = max(time for time in times if time < until)
     start = run(f"restart {load[checkpoint_at(last)]} -o start.h5 --until {until}", ["start.h5"])
     return start["start.h5"]

@@ -15,7 +15,7 @@ PROGRAMS = Path("build/release/bin")
 PROFILES = Path("recipes/reproduce")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take long.
-BESIDE_ALL = ("barrier", "choices", "convergence", "speeds")
+BESIDE_ALL = ("barrier", "choices", "convergence", "places", "speeds")
 
 
 def refuse_links(paths):
