@@ -47,7 +47,7 @@ def summary(claims):
     if shown:
         held = shown.count(HOLDS)
         of = f"{held} of {len(shown)} claims {'holds' if held == 1 else 'hold'}"
-        texts.append(f"as shown, without a verdict, {of}")
+        texts.append(f"for what is shown, without a verdict, {of}")
     return "; ".join(texts)
 
 

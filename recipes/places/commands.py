@@ -19,7 +19,7 @@ CONTINUATIONS = range(1, 11)
 def precursor_of(found):
     """The last event that does not span before the first fast-slow-fast one after FROM."""
     slow = next((e for e in found if e.fast_slow_fast and e.t_start > FROM), None)
-    earlier = [e for e in found if slow and e.t_start < slow.t_start and not e.spanning]
+    earlier = [e for e in found if slow and e.t_start < slow.t_start and e.type == "arrested"]
     if not earlier:
         raise Failure("no event after 0.6 s is fast, slow and fast again, and follows a precursor")
     return earlier[-1]
@@ -49,10 +49,10 @@ def continuation(seed, number):
 
 
 @cache
-def places(seeds=tuple(SEEDS["reference"]), numbers=tuple(CONTINUATIONS)):
+def places():
     """{seed: [place of each continuation that has one]}"""
-    points = [(seed, number) for seed in seeds for number in numbers]
-    found: dict[int, list] = {seed: [] for seed in seeds}
+    points = [(seed, number) for seed in SEEDS["reference"] for number in CONTINUATIONS]
+    found: dict[int, list] = {seed: [] for seed in SEEDS["reference"]}
     for (seed, _), place in outcomes(points, each(continuation, points, "continuations")):
         if place and not isinstance(place, Failure):
             found[seed].append(place)

@@ -14,15 +14,15 @@ from rupture.figures import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
 SEEN = (
     "A row per claim, figure by figure. Left: for which share of its samples it holds, and whether it"
-    " holds as shown; right: the share by each way to measure that several claims have, and the"
+    " holds for what is shown; right: the share by each way to measure that several claims have, and the"
     " least by others."
 )
 GAP = 0.5  # before the next figure, behind the primary way, and before OTHERS
 SEVERAL = 4  # claims whose common way has a column
 OTHERS = "least by others"
 MARKS = {
-    HOLDS: ("^", "as shown: holds"),
-    DOES_NOT_HOLD: ("v", "as shown: does not hold"),
+    HOLDS: ("^", "what is shown: holds"),
+    DOES_NOT_HOLD: ("v", "what is shown: does not hold"),
 }
 PRIMARY_LOOK = {"color": BLACK, "marker": "s", "linewidth": 0.8}
 OTHER_LOOK = {"color": SKY, "marker": "o", "linestyle": "", "markeredgecolor": BLUE}

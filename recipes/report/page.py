@@ -120,7 +120,7 @@ def in_words(claims):
         texts.append(f"Findings of the paper with a verdict: {len(judged)}, of which {words}.")
         texts += [f"What differs: {'; '.join(differ)}."] if differ else []
     if shown:
-        text = f"Without a verdict, {shown.count(HOLDS)} of {len(shown)} hold as shown"
+        text = f"Without a verdict, {shown.count(HOLDS)} of {len(shown)} hold for what is shown"
         texts.append(f"{text}: one event or set; a verdict needs other runs.")
     return " ".join(texts)
 

@@ -15,7 +15,7 @@ from types import SimpleNamespace
 
 from report.caption import PLACE
 from claims.claim import DIFFERS, REPRODUCED, VERDICTS, Number
-from claims.conditions import as_read, met
+from claims.conditions import met
 from measure.tables import read_rows, write_table
 from rupture.errors import Failure
 from rupture.replacing import replacing, write_whole
@@ -41,7 +41,7 @@ def row_of(result, version):
     }
     shares = getattr(result, "shares", [])
     found |= {share.way: f"{share.holds} of {share.samples}" for share in shares}
-    numbers = {key: short(value) for key, value in found.items() if (result.id, key) in PLACES}
+    numbers = {key: short(value, 4) for key, value in found.items() if (result.id, key) in PLACES}
     primary = next(iter(shares), SimpleNamespace(holds="", samples=""))
     texts = (getattr(result, name, "") for name in ("kind", "fixed", "verdict"))
     return [result.id, *texts, primary.holds, primary.samples, version, json.dumps(numbers)]
@@ -70,8 +70,8 @@ def as_shown(name, value):
     if not isinstance(value, float):
         return value
     if name.endswith("/c_s"):
-        return as_read(name, short(value, 2))
-    return f"{value:.2f} L" if name.endswith("[L]") else short(value, 2 if "[" in name else 3)
+        return f"c_s/{1 / value:.2g}"
+    return f"{value:.2f}" if name.endswith("[L]") else short(value, 2 if "[" in name else 3)
 
 
 def counts_of(rows):

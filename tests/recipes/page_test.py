@@ -15,6 +15,7 @@ from report import readme
 from report import page as report
 from report.caption import PLACE, as_html, filled, seen
 from report.symbols import typeset
+from claims.claim import Claim
 from claims.recipes import function_of, paper_of, recipe_names
 from claims.table import table
 from conftest import ROOT
@@ -94,7 +95,7 @@ REFUSED = [  # a file of fig3, what is wrong in it, and what is said
         ("claims.json", text, "claims.json is not a table of claims (")
         for text in ("[{", "7", "[1]", '{"schema": 2, "claims": [{"id": "3A"}]}')
     ),
-    ("claims.json", '{"schema": 1}', "its schema is 1, not 2"),
+    ("claims.json", '{"schema": 1}', "its schema is 1, not 3"),
     ("claims.json", [CLAIM | {"verdict": "partly"}], "claim 3A: not a verdict: 'partly'"),
     ("claims.json", [CLAIM, CLAIM], "Claim '3A' is in"),
     ("claims.json", [CLAIM | {"id": "3Z"}], "a claim '3Z' that claims.toml does not list"),
@@ -289,7 +290,7 @@ def test_the_picture_of_all_claims_shows_them_as_they_are(project):
     picture, claims = project.results / "claims.png", project.results / "fig2/claims.json"
     page_of(project)
     drawn = picture.read_bytes()
-    claims.write_text(claims.read_text().replace('"case": "holds"', '"case": "does not hold"'))
+    claims.write_text(claims.read_text().replace('"shown": "holds"', '"shown": "does not hold"'))
     page_of(project)
     assert picture.read_bytes() != drawn
     assert picture.with_suffix(".pdf").exists()
@@ -335,6 +336,32 @@ def test_another_paper_has_a_page_of_its_own(project, tmp_path, monkeypatch):
     assert "others/1A" not in first.read_text()
     papers = json.loads((project.results / "ro-crate-metadata.json").read_text())["@graph"]
     assert "https://u.v" in [one["@id"] for one in papers]
+
+
+def claim(kind, verdict, shown="holds"):
+    return Claim("3D", kind, "today", "it is so", "", {}, shown, [], verdict, "")
+
+
+@pytest.mark.parametrize(
+    "claims, text",
+    [
+        ([], ""),
+        ([claim("check", "reproduced")], ""),
+        (
+            [claim("finding", None)] * 9 + [claim("finding", None, "does not hold")],
+            "Without a verdict, 9 of 10 hold for what is shown: one event or set; a verdict needs"
+            " other runs.",
+        ),
+        (
+            [claim("finding", word) for word in ("differs", "in part", "reproduced")] * 2,
+            "Findings of the paper with a verdict: 6, of which 2 reproduced, 2 in part, 2 differs."
+            " What differs: 3D (it is so); 3D (it is so).",
+        ),
+        ([claim("finding", None, None)], ""),
+    ],
+)
+def test_the_first_sentence_says_what_was_judged(claims, text):
+    assert report.in_words(claims) == text
 
 
 def test_an_empty_page_says_what_to_run(tmp_path):

@@ -14,6 +14,7 @@ L = 0.14
 def event(t_start, spanning=False, slow=False, x_last=0.0):
     stretch = Report(x_from=0.5 * L, x_to=0.6 * L)
     found = {"t_start": t_start, "spanning": spanning, "fast_slow_fast": slow, "x_last": x_last * L}
+    found["type"] = "slow" if spanning else "arrested"
     return Report(found | {"L": L, "in_words": stretch})
 
 

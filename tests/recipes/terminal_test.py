@@ -29,7 +29,7 @@ choices,,,,,,0.4.0,{}
 """
 BUILD = "rupture 0.4.0, commit 616c08cac6ea, gcc 12"
 TEXT = """
-fig3: 1 in part; as shown, without a verdict, 1 of 2 claims holds
+fig3: 1 in part; for what is shown, without a verdict, 1 of 2 claims holds
 
 claim of the paper
       shown           verdict         share               least  measured by
