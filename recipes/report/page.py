@@ -32,7 +32,6 @@ MANY = 12  # commands of a step, beyond which only their number is of interest
 MANY_SUMS = 100  # checksums
 COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
-SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
 
 def picture(path, alt):
@@ -172,7 +171,7 @@ def render(content):
         steps=of_jobs.steps,
         typeset=typeset,
     )
-    environment.globals.update(SMALL=SMALL, MANY=MANY, MANY_SUMS=MANY_SUMS)
+    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 
