@@ -89,7 +89,6 @@ def sentences(root):
     results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
     for name, kind in (("findings", "finding"), ("checks", "check")):
         results[name] = counts_of([row for row in rows if row["kind"] == kind and row["verdict"]])
-    results["numbers"] = {"events": numbers[0]["of"].split()[2]}
     first = (row for row in read_rows(root / FIRST) if row["fixed"].startswith(FIRST_ROUND))
     results["first"] = counts_of([*first])
     text = filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
