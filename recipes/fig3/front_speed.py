@@ -11,9 +11,9 @@ import numpy as np
 from rupture.once import each, run
 
 import paper
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples
 from fig3 import slow_fronts as slow
-from maps import SEEDS, places_of, spaced
+from maps import over_seeds, places_of, spaced, units_of_seeds
 from measure.conventions import PRIMARY
 from measure.tables import numbers
 
@@ -159,18 +159,16 @@ def fits(seed):
     return {way: fits_of(rows) for way, rows in usable_fronts(seed).items()}
 
 
-def fits_at_width(seed, sigma_bar):
-    rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
-    return {PRIMARY: fits_of(rows)}
-
-
 def each_seed():
-    units = {PRIMARY: sampled(fits, [(seed,) for seed in SEEDS], "front speeds")}
-    for sigma in (0, 0.2):
-        points = [(seed, sigma) for seed in SEEDS]
-        units[f"sigma-bar {sigma}"] = sampled(fits_at_width, points, f"sigma-bar {sigma}")
-    found = {name: [Unit(None, of) for _, of in of_seeds] for name, of_seeds in units.items()}
-    return Samples({"": fits(1)}, found)
+    def at_width(sigma_bar):
+        def of_seed(seed):
+            rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
+            return {PRIMARY: fits_of(rows)}
+
+        return units_of_seeds(of_seed, f"sigma-bar {sigma_bar}")
+
+    found = over_seeds(fits, "front speeds")
+    return Samples(found.shown, found.units | {f"sigma-bar {s}": at_width(s) for s in (0, 0.2)})
 
 
 def scaling(fits, way):

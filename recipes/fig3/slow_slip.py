@@ -7,11 +7,11 @@ from types import SimpleNamespace
 import numpy as np
 from rupture.once import each, run
 
-from claims.samples import Samples, Unit, every, sampled
+from claims.samples import every
 from events import FINE, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
-from maps import SEEDS
+from maps import over_seeds
 from measure.conventions import PRIMARY
 from measure.tables import numbers
 
@@ -97,7 +97,7 @@ def fit(rows):
 
 
 def fit_of(rows):
-    """Where each quantity could be varied: at two values or more, beside the reference."""
+    """The fit, if each quantity was varied: to two values or more, beside the reference."""
     counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
     return fit(rows) if min(counts) >= 2 else slow.NO_FIT
 
@@ -113,8 +113,7 @@ def fits_of(seed):
 
 
 def each_seed():
-    found = sampled(fits_of, [(seed,) for seed in SEEDS], "slow slip")
-    return Samples({"": fits_of(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return over_seeds(fits_of, "slow slip")
 
 
 def inset(of, way):

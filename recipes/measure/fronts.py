@@ -12,7 +12,7 @@ TYPES = ("arrested", "slow", "fast")  # on prepared interfaces
 
 
 def middle_of(stretch):
-    """In time [s]."""
+    """The time in the middle of a stretch [s]."""
     return (stretch["t_from"] + stretch["t_to"]) / 2
 
 

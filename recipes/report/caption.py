@@ -36,7 +36,8 @@ def filled_sentence(text, known):
 
 
 def of_files(text, names):
-    """Without items, or their ends after a semicolon, that name files none of which is there."""
+    """The text without items, or their ends after a semicolon, that name files none of which is
+    there."""
     blocks = re.split(r"(?=\n- |\n\s*\n|;\s`[\w-]+\.(?:png|csv)`)", text)
     named = [re.findall(r"`([\w-]+\.(?:png|csv))`", block) for block in blocks]
     return "".join(b for b, files in zip(blocks, named) if not files or names & {*files})
@@ -53,7 +54,8 @@ def filled(text, claims):
 
 
 def link(found, shown):
-    """To the section of another recipe if the page has it; to no file, which may not be there."""
+    """A link to the section of another recipe, if the page has it; to no file: it may not be
+    there."""
     address, text = found.groups()
     recipe = re.fullmatch(r"\.\./(\w+)/(README\.md)?", address)
     return f'<a href="#{recipe[1]}">{text}</a>' if recipe and recipe[1] in shown else text

@@ -35,8 +35,8 @@ MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 
 
 def picture(path, alt):
-    """Its files, its size in pixels, and what is seen, in words. Width and height stand in a PNG
-    after its signature and the name of the first chunk."""
+    """The files of a picture, its size in pixels, and what is seen, in words. Width and height
+    stand in a PNG after its signature and the name of the first chunk."""
     with open(path, "rb") as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":

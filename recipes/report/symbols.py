@@ -1,5 +1,5 @@
-"""Symbols as plain texts write them, in Unicode: tau_bar and <t_R> become τ̄ and ⟨t_R⟩. In HTML, what
-follows _ is an index, and ^ a power. What stands in `code` stays as it is."""
+"""Symbols as plain texts write them, in Unicode: tau_bar and <t_R> become τ̄ and ⟨t_R⟩. In HTML,
+what follows _ is an index, and ^ a power. What stands in `code` stays as it is."""
 
 import re
 

@@ -126,7 +126,7 @@ class Command(Work):
         return build_at(path, stamp_of(path))
 
     def done_in(self, folder, executor):
-        """Its result in a folder with its inputs. Raises Failure if there is none."""
+        """The result in a folder with its inputs. Raises Failure if there is none."""
         said = SAID.get(self.program, [])
         words = [path_of(self.program), *self.words[1:], *(w for w in said if w not in self.words)]
         try:
