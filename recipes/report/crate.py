@@ -22,7 +22,7 @@ from claims.released import version_of
 from claims.table import read
 from measure.tables import read_table
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.origin import noted
+from report.machine import noted
 from report.written import take
 from rupture.commands.store import place_of
 from rupture.errors import Failure

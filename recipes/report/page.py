@@ -20,7 +20,7 @@ from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
 from report import jobs as of_jobs
-from report import origin
+from report import machine
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from report.written import take
@@ -148,10 +148,10 @@ def contents(root, paper):
         "verdicts": as_html(verdicts, shown),
         "jobs": jobs,
         "last": max((job.get("started", 0) for job in jobs), default=0),
-        "run": origin.last_run(root, jobs),
+        "run": machine.last_run(root, jobs),
         "builds": builds,
-        "build": origin.present_build(),
-        "processor": origin.processor(),
+        "build": machine.present_build(),
+        "processor": machine.processor(),
     }
 
 

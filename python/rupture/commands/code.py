@@ -19,8 +19,8 @@ from rupture.errors import Failure, UsageError
 from rupture import programs
 from rupture.programs import DRAWING, PACKAGE
 
-RUNS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints and records
-OURS = ("analyze", *RUNS, *DRAWING)
+WRITERS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints and records
+OURS = ("analyze", *WRITERS, *DRAWING)
 OF_BUILD = b".rupture_version"  # cmake/WriteVersion.cmake
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", OF_BUILD)
 ELF = b"\x7fELF\x02"
@@ -99,7 +99,7 @@ def digest_of_program(program, store):
 def digest_of_function(function, store):
     """The digest of its module, what this imports of ours, and programs, which it may run."""
     module = Path(function.__code__.co_filename).resolve()
-    programs = (digest_of_program(name, store) for name in ("analyze", *RUNS))
+    programs = (digest_of_program(name, store) for name in ("analyze", *WRITERS))
     return digest(digest_of_modules(module, store), function.__qualname__, *programs)
 
 
