@@ -5,10 +5,10 @@ The simplified law has one spring per block and no width: another width of phi i
 model alone.
 """
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 
 import paper
 from claims.samples import Samples
@@ -19,6 +19,7 @@ from measure.tables import numbers
 
 NX = 57
 N_S = 100
+REFERENCE = {"junctions.law": "reference", "junctions.v_slow": 0}
 SIMPLIFIED = {"junctions.law": "simplified", "sigma-bar": 0, "junctions.v_slow": 1e-3}
 V_SLOW = (0.3e-3, 0.5e-3, 0.75e-3, 1e-3, 1.5e-3, 2e-3, 3e-3, 5e-3)  # [m/s]
 T_R, MU_D = "junctions.t_R", "junctions.mu_d"
@@ -88,13 +89,8 @@ def parameters(seed, **changed):
 @cache
 def fronts(seed):
     """Rows under both laws."""
-    law = {"junctions.law": "reference", "junctions.v_slow": 0}
-    points = [
-        (name, parameters(seed, **law | of))
-        for name, variants in VARIANTS.items()
-        for of in variants
-    ]
-    return [row for _, row in each(slow.front_of, points, f"front speeds, seed {seed}")]
+    of_seed = partial(parameters, seed, **REFERENCE)
+    return slow.rows_of(VARIANTS, of_seed, f"front speeds, seed {seed}")
 
 
 def front_of_width(variant, parameters):
@@ -107,11 +103,8 @@ def front_of_width(variant, parameters):
 @cache
 def widths(seed):
     """Usable rows of the full law at other widths of phi."""
-    points = [
-        (name, parameters(seed, **of)) for name, variants in WIDTHS.items() for of in variants
-    ]
     title = f"other widths, seed {seed}"
-    return slow.usable([row for _, row in each(front_of_width, points, title)])
+    return slow.usable(slow.rows_of(WIDTHS, partial(parameters, seed), title, front_of_width))
 
 
 # --- fits --------------------------------------------------------------------------------------

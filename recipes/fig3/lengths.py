@@ -5,28 +5,27 @@ import math
 from functools import cache
 
 import numpy as np
-from rupture.once import measured, run
+from rupture.once import measured
 from rupture.reports import values
 
 from claims.samples import every
 from fig3.decay_length import METHODS, decay_of_front, median
-from fig3.front_speed import parameters
+from fig3.front_speed import REFERENCE, parameters
 from fig3.slow_fronts import record_of
 from maps import over_seeds, spaced
 from measure.conventions import PRIMARY
 
 KAPPA = 39.2e9  # of the reference [N/m^2]
 KAPPAS = (156.8e9, 78.4e9, 39.2e9, 19.6e9, 9.8e9)  # k_i from twice the reference's to half of it
-REFERENCE = {"junctions.law": "reference", "junctions.v_slow": 0}
 
 
 # --- fronts ------------------------------------------------------------------------------------
 
 
 def front_at(tau_bar, seed):
-    record = record_of(parameters(seed, **REFERENCE, **{"tau-bar": tau_bar}))
-    run(f"analyze front {record}")
-    return measured(decay_of_front, record)
+    return measured(
+        decay_of_front, record_of(parameters(seed, **REFERENCE, **{"tau-bar": tau_bar}))
+    )
 
 
 @cache

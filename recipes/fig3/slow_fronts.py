@@ -5,7 +5,7 @@ Rows have the parameters of an interface by name, and what was measured.
 from collections import namedtuple
 
 import numpy as np
-from rupture.once import run
+from rupture.once import each, run
 
 import maps
 from measure.conventions import PRIMARY
@@ -56,6 +56,12 @@ def front_of(variant, parameters):
     }
     of_front = {"type": windows[PRIMARY].type, "point": record.work.own, "windows": windows}
     return {"variant": variant, **parameters, **of_front}
+
+
+def rows_of(variants, parameters, title, measure=front_of):
+    """The rows of the fronts of all variants; `parameters` is a function of what each changes."""
+    points = [(name, parameters(**of)) for name, several in variants.items() for of in several]
+    return [row for _, row in each(measure, points, title)]
 
 
 # --- rows --------------------------------------------------------------------------------------

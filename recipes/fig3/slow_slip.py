@@ -5,7 +5,7 @@ from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 
 from claims.samples import every
 from events import FINE, slip_times
@@ -55,11 +55,13 @@ VARIANTS: dict[str, list] = {
 
 @cache
 def fronts(seed):
-    """Rows."""
+    """The rows of a seed."""
     common = {"sigma-bar": 0.1, "tau-bar": 0.1, "numerics.seed": seed}
-    changes = [(name, of) for name, variants in VARIANTS.items() for of in variants]
-    points = [(name, slow.rounded(common | of)) for name, of in changes]
-    return [row for _, row in each(slow.front_of, points, f"slow slip, seed {seed}")]
+
+    def parameters(**changed):
+        return slow.rounded(common | changed)
+
+    return slow.rows_of(VARIANTS, parameters, f"slow slip, seed {seed}")
 
 
 def longer(t_R):

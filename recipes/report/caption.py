@@ -35,14 +35,6 @@ def filled_sentence(text, known):
     return PLACE.sub(lambda _: next(values), text)
 
 
-def of_files(text, names):
-    """The text without items, or their ends after a semicolon, that name files none of which is
-    there."""
-    blocks = re.split(r"(?=\n- |\n\s*\n|;\s`[\w-]+\.(?:png|csv)`)", text)
-    named = [re.findall(r"`([\w-]+\.(?:png|csv))`", block) for block in blocks]
-    return "".join(b for b, files in zip(blocks, named) if not files or names & {*files})
-
-
 def filled(text, claims):
     """The text with its places filled. A place may extend over the end of a line."""
     known = {(one.id, k): value_text(k, v) for one in claims for k, v in one.measured.items()}

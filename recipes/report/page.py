@@ -10,7 +10,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from report.caption import as_html, filled, of_files, seen
+from report.caption import as_html, filled, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_results
 from claims.table import read, table
 from claims.own_result import read_own
@@ -64,7 +64,7 @@ class Recipe:
         self.claims, self.numbers, _ = read_results(folder / CLAIMS)
         self.own = read_own(folder)
         there = {path.name for path in folder.iterdir()}
-        caption = filled(of_files(readme.caption, there), self.claims + self.own)
+        caption = filled(readme.caption, self.claims + self.own)
         self.caption = as_html(caption, shown)
         self.pictures = [
             picture(path, seen(path.name, readme.title, caption))

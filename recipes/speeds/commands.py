@@ -3,11 +3,11 @@
 from functools import cache
 from itertools import product
 
-from rupture.once import each, measured, run
+from rupture.once import measured, run
 
 from claims.samples import every
 from events import checkpoint_at
-from fig3.slow_fronts import rounded, words_of
+from fig3.slow_fronts import rounded, rows_of, words_of
 from maps import record_of
 from measure.fronts import front_spans
 from speeds.slip_history import history_of
@@ -65,8 +65,8 @@ def front_of(variant, parameters):
 @cache
 def fronts():
     """The fronts that span."""
-    points = [(name, parameters(**of)) for name, variants in VARIANTS.items() for of in variants]
-    return [of for _, of in each(front_of, points, "fronts") if front_spans(of[1])]
+    found = rows_of(VARIANTS, parameters, "fronts", front_of)
+    return [(row, front, slips) for row, front, slips in found if front_spans(front)]
 
 
 # --- loads -------------------------------------------------------------------------------------

@@ -70,10 +70,6 @@ CAPTIONS = [  # a caption, and what becomes of it
     ),
     ("First. It runs at {5A: speed\n[m/s]} in Fig. {5B: list [mm]}. Last.", "<p>First. Last.</p>"),
     (
-        "- `fig2.png`, `no.csv`: is here; `no.csv`: not.\n- `no.csv`: no.\n- two.",
-        "is here</li> <li>two.</li>",
-    ),
-    (
         "- one;\n- {5A: speed [m/s]} of {5A: all};\n- two.",
         "<li> <p>one;</p> </li> <li> <p>two.</p> </li>",
     ),
