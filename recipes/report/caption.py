@@ -73,5 +73,6 @@ def seen(picture, title, caption):
     caption that names its file, or else of the caption."""
     parts = re.split(r"\n(?=- )|\n\s*\n", caption)
     part = next((one for one in parts if f"`{picture}`" in one), parts[0])
-    sentence = re.split(r"(?<!Eq)(?<!Fig)\.\s", part.removeprefix("- "), maxsplit=1)[0]
+    part = part.removeprefix("- ").removeprefix(f"`{picture}`: ")
+    sentence = re.split(r"(?<!Eq)(?<!Fig)\.\s", re.sub(r" \(`.*?`\)", "", part), maxsplit=1)[0]
     return f"{in_unicode(title)}. {Markup(converted(sentence)).striptags().rstrip('.:;')}."

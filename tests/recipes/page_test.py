@@ -235,9 +235,11 @@ def test_symbols_are_unicode_and_other_words_are_left(text):
 
 
 def test_alternative_texts_are_the_first_sentence_about_the_picture():
-    caption = "Above <t_R> and Eq. S1. More.\n\n- **A**: no.\n- `b.png`: what *is* slow. More.\n"
+    caption = "Above <t_R> and Eq. S1. More.\n\n- **C** (`c.png`, `d.csv`): no; *yes*.\n"
+    caption += "- `b.png`: it. No.\n"
     assert seen("a.png", "T", caption) == "T. Above ⟨t_R⟩ and Eq. S1."
-    assert seen("b.png", "T", caption) == "T. b.png: what is slow."
+    assert seen("b.png", "T", caption) == "T. it."
+    assert seen("c.png", "T", caption) == "T. C: no; yes."
 
 
 def tags_in(page):
