@@ -8,7 +8,7 @@ import numpy as np
 from rupture.once import run
 
 from claims.samples import every
-from events import FINE, slip_times
+from events import FINE, WIDTH, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
 from maps import over_seeds
@@ -16,7 +16,6 @@ from measure.conventions import PRIMARY
 from measure.tables import numbers
 
 MM = 1e3  # [mm/m]
-WIDTH = 0.14 / 56  # of a block [m]
 ALIKE = 1.2  # ratio of the speeds of neighbouring blocks, at most
 STIFFNESSES = (1.5e9, 2.25e9, 4.5e9, 6e9)  # slider.E [Pa]
 K_I = {  # the variant in which k_i varies, by convention; primary: as the SI says

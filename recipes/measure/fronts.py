@@ -31,11 +31,6 @@ def is_fast_slow(front):
     )
 
 
-def has_slow_stretch(front):
-    """Spans the interface, with a slow stencil beyond the loading zone."""
-    return front["type"] == "slow"
-
-
 def is_fast_only(front):
     """No stencil beyond the loading zone is slow."""
     return front["type"] == "fast"

@@ -20,7 +20,7 @@ import yaml
 from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
-from measure.tables import read_table
+from measure.tables import read_rows
 from report.jobs import JOBS, builds_of, files_of, read_jobs
 from report.machine import noted
 from report.written import take
@@ -148,7 +148,7 @@ def jobs_behind(results, name):
     table = folder / f"{folder.name}.csv"
     if not name.startswith("sweeps/"):
         return read_jobs(folder)
-    points = {*read_table(table)["point"]} if table.exists() else ()
+    points = {row["point"] for row in read_rows(table)} if table.exists() else ()
     return [job for job in noted(results / JOBS) if Path(job["output"][0]).stem in points]
 
 
