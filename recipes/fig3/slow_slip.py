@@ -104,13 +104,13 @@ def fit_of(rows):
 
 
 def fits_of(seed):
-    """A sample: rows, those that the claim is about, {way to measure: fit}, that of event II."""
+    """A sample: {way to measure: rows}, those that the claim is about, {way: fit}, that of event II."""
     rows = slow.by_way(fronts(seed))
     ways = {name: (rows[PRIMARY], k_i) for name, k_i in K_I.items()}
     ways |= {name: (of, K_I[PRIMARY]) for name, of in rows.items() if name != PRIMARY}
     fits = {name: fit_of(varied(of, k_i)) for name, (of, k_i) in ways.items()}
     of_SI = varied(rows[PRIMARY])
-    return SimpleNamespace(rows=rows[PRIMARY], varied=of_SI, fits=fits, event=fit(of_event()))
+    return SimpleNamespace(rows=rows, varied=of_SI, fits=fits, event=fit(of_event()))
 
 
 def each_seed():
@@ -145,8 +145,9 @@ def largest_ratio(row):
 
 def neighbours(of, way):
     """3C-neighbours: behind the front with the reference parameters, and those of all variants."""
-    ratios = [largest_ratio(row) for row in of.rows]
-    ours = [ratio for ratio, row in zip(ratios, of.rows) if row["variant"] == "reference"]
+    rows = of.rows[way]
+    ratios = [largest_ratio(row) for row in rows]
+    ours = [ratio for ratio, row in zip(ratios, rows) if row["variant"] == "reference"]
     return {
         "largest ratio of neighbours": ours[0] if ours else None,
         "fronts of all variants": len(ratios),

@@ -46,7 +46,7 @@ def make(results):
     found = fits_of(SHOWN)
     slope = found.fits[PRIMARY].slope
     draw(found.varied, of_event(), slope, results / "fig3C-inset")
-    rows = [{"interface": "prepared"} | row for row in found.rows]
+    rows = [{"interface": "prepared"} | row for row in found.rows[PRIMARY]]
     rows += [{"interface": "event"} | row for row in of_event()]
     names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
     names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]

@@ -30,18 +30,18 @@ def each_run():
 def exponential_map():
     """A map on the grid of Figure 4 D, with one seed."""
     grid = places_of(spaced(0.03, 0.41, 0.02), spaced(0, 0.285, 0.015))
-    return fronts_at(grid, [1], LAWS["exponential"], "exponential map", plain_front_at)
+    return fronts_at(grid, [1], LAWS["exponential"], "exponential map")
 
 
 def exponential():
     return Samples({"": exponential_map()})
 
 
-def order(fronts, _):
+def order(fronts, way):
     """exponential-map"""
-    kinds = list(types_of(fronts).values())
+    kinds = list(types_of(fronts, way).values())
     counts = {f"{kind} grid points of the map": kinds.count(kind) for kind in TYPES}
-    return counts | {"places out of order on the map": len(front_map.out_of_order(fronts))}
+    return counts | {"places out of order on the map": len(front_map.out_of_order(fronts, way))}
 
 
 # --- other lengths, and other energies in the trigger region -----------------------------------

@@ -77,6 +77,13 @@ def test_a_row_names_functions_of_its_recipe_that_say_which_claim_they_measure(c
     assert named in function(row, "measured").__doc__
 
 
+@mark.parametrize("claim_id", ROWS)
+def test_what_is_measured_in_several_ways_differs_by_way(claim_id):
+    of = inspect.unwrap(function(ROWS[claim_id], "measured"))
+    names = [node.id for node in ast.walk(ast.parse(inspect.getsource(of))) if hasattr(node, "id")]
+    assert "way" in names or not ROWS[claim_id].get("ways")
+
+
 TURNED = {"at_least": "at_most", "at_most": "at_least", "above": "below", "below": "above"}
 
 

@@ -57,6 +57,7 @@ COURSE["slip"] = [0.0, 0.6e-5, 1e-5, 1e-5, 1.2e-5, 3e-5]
 LINE: dict = {"x": [0.01, 0.02, 0.03, 0.04], "t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "L": L}
 SIMPLIFIED: dict = {"type": "slow", "slow": {"fast_before": 100.0, "speed": 10.0}}
 SIMPLIFIED["slow"]["duration"] = 0.5e-3
+NEIGHBOURS = {"per_block": {"x": [0.0, 2.5e-3], "speed": [1, 1.2]}}
 STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18], "mu_error": [0.0]}
 FIT: dict = {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0, "largest": 0.0, "offset": 0.0}
 FIT |= {"x": [1.0, 2.0], "y": [1.0, 2.0]}
@@ -318,8 +319,11 @@ EXAMPLES = {
         },
     ),
     "3C-neighbours": Example(
-        {"rows": [{"variant": "reference", "per_block": {"x": [0.0, 2.5e-3], "speed": [1, 1.2]}}]},
-        {"rows.0.per_block.speed.1": ([], [1.201, 0.0]), "rows.0.variant": ([], ["t_R"])},
+        {"rows": by_way([{"variant": "reference"} | NEIGHBOURS])},
+        {
+            "rows.primary.0.per_block.speed.1": ([], [1.201, 0.0]),
+            "rows.primary.0.variant": ([], ["t_R"]),
+        },
     ),
     "3D": Example(
         by_way(FITS),

@@ -100,13 +100,13 @@ class TestSlowSlip:
         x = [slow_slip.WIDTH * block for block in blocks]
         front: dict = {"variant": "k_i", "per_block": {"x": x, "speed": [1.0, 1.1, 3.0, 2.4]}}
         assert slow_slip.largest_ratio(front) == approx(1.25)
-        found = slow_slip.neighbours(Report(rows=[front]), PRIMARY)
+        found = slow_slip.neighbours(Report(rows={PRIMARY: [front]}), PRIMARY)
         assert [*found.values()] == [None, 1, 0]
         front["per_block"]["speed"][0] = -1.0
         assert isnan(slow_slip.largest_ratio(front))
         reference = front | {"variant": "reference"}
         reference["per_block"] = {"x": x[:2], "speed": [1.0, 1.2]}
-        found = slow_slip.neighbours(Report(rows=[front, reference]), PRIMARY)
+        found = slow_slip.neighbours(Report(rows={PRIMARY: [front, reference]}), PRIMARY)
         assert [*found.values()] == [1.2, 2, 1]
 
 
