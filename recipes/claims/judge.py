@@ -158,10 +158,10 @@ def counted(row, samples):
 def share_of_all(row, samples):
     """For "there is such an event": of all events, how many are such."""
     every = [one for _, found in samples for one in found]
-    if not every or "one_of" not in row:
+    if "one_of" not in row:
         return {}
     such = sum(holds(row, [one]) for one in every)
-    return {f"of all {row['one_of']}": f"{such} of {len(every)}"}
+    return {f"of all {row['one_of']}": f"{such} of {len(every)}" if every else "not run"}
 
 
 def shown_of(row, found):

@@ -404,6 +404,10 @@ def test_the_first_line_that_fits_gives_the_word(count, bound):
         assert word == next(words_that_fit(intervals, runs, bound)), (intervals, runs)
 
 
+def test_the_bound_is_0_8_and_0_5_where_one_event_is_enough():
+    assert [needed(row) for row in (MADE_UP["events"], MADE_UP["one"])] == [0.8, 0.5]
+
+
 RANK = ["differs", "in part", "undecided", "reproduced"]
 
 

@@ -16,6 +16,7 @@ from report import page as report
 from report.caption import PLACE, as_html, filled, seen
 from report.symbols import typeset
 from claims.claim import Claim
+from rupture.errors import Failure
 from claims.recipes import function_of, paper_of, recipe_names
 from claims.table import table
 from conftest import ROOT
@@ -65,7 +66,7 @@ OWN = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "
 EXPECTED = OWN | {"expected": {"off by [mm]": {"at_most": 1}}, "met": False}
 CAPTIONS = [  # a caption, and what becomes of it
     (
-        "At {2A: speed [m/s]}, {2B:\nlist [mm]}; {2A: no such [s]},"
+        "At {2A: speed [m/s]}, {2B:\nlist [mm]}; {own: no such [s]},"
         " {5A: speed [m/s]}; {} {x: y} {2A}.",
         "At 12.3 m/s, 1, none mm; not run, not run; {} not run {2A}.",
     ),
@@ -362,6 +363,13 @@ def test_another_paper_has_a_page_of_its_own(project, tmp_path, monkeypatch):
     assert "others/1A" not in first.read_text()
     papers = json.loads((project.results / "ro-crate-metadata.json").read_text())["@graph"]
     assert "https://u.v" in [one["@id"] for one in papers]
+
+
+def test_a_place_in_a_caption_that_names_nothing_is_an_error():
+    found = [types.SimpleNamespace(id="2A", measured={"type": "slow"})]
+    assert filled("A {2A: type}. B {own: size}.", found).strip() == "A slow."
+    with pytest.raises(Failure, match="A caption has {2A: kind}, which 2A does not measure."):
+        filled("A {2A: type}, {2A: kind}.", found)
 
 
 def claim(kind, verdict, shown="holds"):
