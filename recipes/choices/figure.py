@@ -52,9 +52,9 @@ RULE = "its 90 % interval and that of the model as settled do not overlap"
 
 @dataclass(frozen=True)
 class Found:
-    """A share or a median: its 90 % interval, of how many samples or events, and between which values
-    most of the events behind a median lie. A band of slow fronts has nothing but its ends. `moved`:
-    "up", "down" or "" (not); None if there is nothing to compare with."""
+    """A share or a median: its 90 % interval, of how many samples or events, and between which
+    values most of the events behind a median lie. A band of slow fronts has nothing but its ends.
+    `moved`: "up", "down" or "" (not); None if there is nothing to compare with."""
 
     value: float | None
     low: float | None

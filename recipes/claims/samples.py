@@ -17,8 +17,8 @@ class Sample(NamedTuple):
 
 @dataclass(frozen=True)
 class Samples:
-    """`shown`: {name in the picture: what is found there}, the first of which is reported as holding
-    or not. `taken`: {way: list of Sample}, the primary one first; empty for one state."""
+    """`shown`: {name in the picture: what is found there}, the first of which is reported as
+    holding or not. `taken`: {way: list of Sample}, the primary one first; empty for one state."""
 
     shown: dict
     taken: dict = field(default_factory=dict)

@@ -137,7 +137,7 @@ def chosen(rows, model, variants=VARIED):
 
 def fits_of(rows):
     """{model: fit}, and the same of speeds without scaling, and of faster fronts."""
-    found = {}
+    found: dict = {}
     for model in MODELS:
         of = chosen(rows, model)
         faster = [row for row in of if row["front speed [m/s]"] >= FASTER]
@@ -182,7 +182,7 @@ def scaling(fits, way):
 
 def beside(found):
     """What stands beside claim 3D."""
-    values = {}
+    values: dict = {}
     for model in MODELS:
         of, faster = found[model], found[f"{model}, faster"]
         values |= {

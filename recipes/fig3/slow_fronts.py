@@ -112,7 +112,7 @@ def speeds(rows):
 # points, 1 if y is proportional to x; NaN unless all are positive. `largest`: deviation of a point
 # from the line, relative to the line. `offset`: y where x is 0, of the line with an intercept.
 ProportionalFit = namedtuple("ProportionalFit", "slope r_squared exponent largest offset x y")
-NO_FIT = ProportionalFit(*5 * [np.nan], (), ())
+NO_FIT = ProportionalFit(np.nan, np.nan, np.nan, np.nan, np.nan, (), ())
 
 
 def fit_through_origin(x, y):

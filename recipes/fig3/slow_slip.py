@@ -104,7 +104,8 @@ def fit_of(rows):
 
 
 def fits_of(seed):
-    """A sample: {way to measure: rows}, those that the claim is about, {way: fit}, that of event II."""
+    """A sample: {way to measure: rows}, those that the claim is about, {way: fit}, and that of
+    event II."""
     rows = slow.by_way(fronts(seed))
     ways = {name: (rows[PRIMARY], k_i) for name, k_i in K_I.items()}
     ways |= {name: (of, K_I[PRIMARY]) for name, of in rows.items() if name != PRIMARY}

@@ -8,6 +8,7 @@ from rupture.reports import values
 from fig5 import quasistatic
 from fig5.commands import event
 from measure.tables import write_table
+from measure.ways import PRIMARY
 
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
 

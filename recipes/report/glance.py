@@ -13,9 +13,9 @@ from rupture.figures import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt
 
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
 SEEN = (
-    "A row per claim, figure by figure. Left: for which share of its samples it holds, and whether it"
-    " holds for what is shown; right: the share by each way to measure that several claims have, and the"
-    " least by others."
+    "A row per claim, figure by figure. Left: for which share of its samples it holds, and whether"
+    " it holds for what is shown; right: the share by each way to measure that several claims have,"
+    " and the least by others."
 )
 GAP = 0.5  # before the next figure, behind the primary way, and before OTHERS
 SEVERAL = 4  # claims whose common way has a column

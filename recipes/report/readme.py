@@ -79,7 +79,7 @@ def counts_of(rows):
     verdicts = Counter(row["verdict"] for row in rows)
     of_reproduced = [row["fixed"] for row in rows if row["verdict"] == REPRODUCED]
     late = sum(bool(AFTER_RESULTS.search(fixed)) for fixed in of_reproduced)
-    counts = dict.fromkeys(VERDICTS, 0) | verdicts
+    counts: dict = dict.fromkeys(VERDICTS, 0) | verdicts
     differ = ", ".join(row["id"] for row in rows if row["verdict"] == DIFFERS)
     counts |= {"that differ": differ or "none", "reproduced after results": late}
     return counts | {"claims": verdicts.total()}

@@ -1,11 +1,9 @@
 """The judge of claims: conditions, shares and the words for verdicts, and the table of claims."""
 
-import re
 from itertools import combinations_with_replacement, product
 from math import isfinite, nan
 from unittest import mock
 
-import numpy as np
 from pytest import mark, raises
 from rupture.errors import Failure
 
@@ -39,8 +37,8 @@ LOW, HIGH = 0, 2
 
 
 def measured(sample, way):
-    """A sample is x by way; x is a number, or those of several events, of which one is enough. A way
-    that it lacks finds nothing."""
+    """A sample is x by way; x is a number, or those of several events, of which one is enough. A
+    way that it lacks finds nothing."""
     x = sample.get(way, [])
     if x is None:
         return None
@@ -290,8 +288,8 @@ class TestJudge:
         assert interval_of([10 * [True], 10 * [False]]) == (0, 1)
 
     def test_events_have_the_same_weight_and_runs_have_not(self):
-        """Ten runs of one event that holds, ten of nine that do not. Of 20 runs that are drawn, 6 to
-        14 are of the first kind: 6 of 132 events to 14 of 68."""
+        """Ten runs of one event that holds, ten of nine that do not. Of 20 runs that are drawn, 6
+        to 14 are of the first kind: 6 of 132 events to 14 of 68."""
         drawn = interval_of(10 * [[True]] + 10 * [9 * [False]])
         assert drawn == approx((6 / 132, 14 / 68))
 
@@ -399,7 +397,7 @@ def words_that_fit(intervals, runs, bound):
 @mark.parametrize("bound", (0.5, 0.8))
 def test_the_first_line_that_fits_gives_the_word(count, bound):
     for intervals, runs in product(product(INTERVALS, repeat=count), (4, 5)):
-        shares = [share(*ends, f"way {n}", runs) for n, ends in enumerate(intervals)]
+        shares = [share(low, high, f"way {n}", runs) for n, (low, high) in enumerate(intervals)]
         word = word_of_shares(shares, bound)
         assert word == next(words_that_fit(intervals, runs, bound)), (intervals, runs)
 

@@ -12,8 +12,10 @@ from rupture.once import Report
 import events
 import fig1.commands
 import fig2.commands
+import fig3.commands
 import fig4.commands
 import fig5.commands
+import figS4.commands
 import figS6.commands
 import maps
 import measure.ways
@@ -52,7 +54,7 @@ def test_each_way_changes_what_its_name_says():
 
 def test_reports_belong_to_their_ways(monkeypatch):
     def run(line):
-        return ["", *re.search("--also '(.*)'", line)[1].split("; ")]
+        return ["", *line.split("'")[1].split("; ")]
 
     monkeypatch.setattr("measure.ways.run", run)
     assert measure.ways.by_way("analyze front r.h5") == measure.ways.WAYS
@@ -168,9 +170,9 @@ def test_what_is_changed_at_a_branch(monkeypatch):
     events.branch_of(whole, 11, 0.01)
     branch, *changed = [line for line in lines if line.startswith("restart")]
     assert branch.endswith("--until-rupture-at 0.0275 --for 0.01")
-    ends = [re.search(r"-o end.h5 (.*) --record record.h5 (.*)", line) for line in changed]
-    assert {" ".join(end[2].split()) for end in ends} == {"--record-every 1e-5 --crossings 0.2,0.5"}
-    assert [" ".join(end[1].split()) for end in ends] == [
+    ends = [" ".join(line.split()).split(" --record record.h5 ") for line in changed]
+    assert {end for _, end in ends} == {"--record-every 1e-5 --crossings 0.2,0.5"}
+    assert [before.partition("-o end.h5 ")[2] for before, _ in ends] == [
         "--set driving.V=0 --for 0.01",
         "--set driving.V=0 --set junctions.t_R=0.001 --set junctions.delta_t_R=0.0003 --for 0.01",
         "--set driving.V=0 --set junctions.t_R=0.004 --set junctions.delta_t_R=0.0012 --for 0.01",
@@ -190,6 +192,50 @@ def test_laws_are_those_of_the_paper():
     assert "mu_new=0.196" in events.LAWS["decaying"]  # 0.7 mu_d
     assert "v_slow=1.5e-3" in events.LAWS["simplified"]
     assert events.LAWS["exponential"].endswith("slipping_times=exponential")
+
+
+CUT = Report(type=None, fast_slow_fast=None, t_rupture=[None] * 57, x=[0.0] * 57, L=L, c_s=968.0)
+WHOLE = Report(CUT, type="slow", fast_slow_fast=True, in_words=Report(x_from=0.07, duration=1.0))
+
+
+@mark.parametrize(
+    "measured, cut",
+    [
+        *((fig3.commands.still_slow, "stopped"), (fig3.commands.arrest, "no_slow_slip")),
+        *((fig3.commands.crossing, "no_slow_slip"), (fig3.commands.dose, "half")),
+        *((fig3.commands.dose, "double"), (fig4.commands.types, "wider")),
+        *((figS4.commands.beginning, "wider"), (fig5.commands.difference, "undriven")),
+    ],
+)
+def test_an_event_that_the_record_cuts_off_is_no_sample(measured, cut):
+    names = ("fronts", "stopped", "no_slow_slip", "half", "double", "wider", "undriven")
+    sample = SimpleNamespace(**{name: {PRIMARY: WHOLE} for name in names}, block=8, stop=0.0)
+    setattr(sample, cut, {PRIMARY: CUT})
+    assert measured(sample, PRIMARY) is None
+
+
+def test_a_wider_phi_concerns_ruptures_after_the_branch_however_they_are_measured():
+    """Block 1 is where the branch begins, at 1 ms; measured in the other way it ruptured at 0.5 ms,
+    and so did block 2, at 0.9 ms: the wider event begins without it."""
+    line = {"x": [0.01, 0.02, 0.03, 0.034], "L": L, "in_words": Report(duration=1e-3)}
+    fronts = {PRIMARY: Report(line, t_rupture=[0.0, 1e-3, 1.1e-3, 2e-3])}
+    fronts["50 % pinned"] = Report(line, t_rupture=[0.0, 0.5e-3, 0.9e-3, 2e-3])
+    wider = {"50 % pinned": Report(type="fast", t_rupture=[None, None, None, 2.01e-3])}
+    of = SimpleNamespace(fronts=fronts, wider=wider, block=1)
+    assert figS4.commands.beginning(of, "50 % pinned")["largest difference [ms]"] == approx(0.01)
+
+
+def test_first_events_are_one_of_each_run_and_all_others_are_later():
+    def words(begin):
+        stretch = Report(x_from=begin * L, x_to=L, slowest=9.0, fast_before=300.0, duration=1e-3)
+        return Report(fast_slow_fast=begin < 1, in_words=stretch, L=L, c_s=968.0)
+
+    runs = [
+        {PRIMARY: [words(x) for x in of]} for of in ([2, 0.1, 0.5, 0.6], [0.3], [0.2, 0.9], [2])
+    ]
+    found = fig2.commands.first_event(runs, PRIMARY)
+    assert found["begin [L]"] == approx(0.2) and found["later events: begin [L]"] == approx(0.6)
+    assert found["runs with such an event"] == 3
 
 
 # --- numbers of texts and of code ----------------------------------------------------------
@@ -225,7 +271,7 @@ def test_the_middle_of_the_interface_and_the_turn_of_precursors():
 
 
 def test_the_scale_of_3D_is_that_of_the_SI():
-    """v_slow slip k_i l_0/(tau_thres - tau_0), for the reference parameters and tau_bar_0 = 0.1: with
+    """v_slow slip k_i l_0/(tau_thres - tau_0), with the reference parameters and tau_bar_0 = 0.1:
     p = 1920 N/57, k_i = sqrt(39.2 GN/m^2 100 p), l_0 = 7 mm, and 0.9 times 0.23 p."""
     of = front_speed.parameters(1) | {"slow slip [m/s]": 2e-3}
     p = 1920 / 57

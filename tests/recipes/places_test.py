@@ -1,4 +1,4 @@
-"""What the recipe `places` takes as a precursor, its place, and what it compares; made-up events."""
+"""What the recipe `places` takes as a precursor, its place, and what it compares."""
 
 from pytest import mark, raises
 from rupture.errors import Failure

@@ -123,6 +123,15 @@ def test_a_report_of_all_results_writes_them(clone):
     assert (clone / readme.PICTURE).read_text() == "Figure 2", "the numbers are the same"
 
 
+def test_rows_without_a_verdict_are_not_counted(clone, monkeypatch):
+    rows = "2A,finding,today,,,,,{}\n3D,finding,today,differs,,,0,{}\n"
+    spill(clone / readme.TABLE, VERDICTS.partition("\n")[0] + "\n" + rows)
+    text = "{findings: claims} {findings: differs}"
+    monkeypatch.setattr(readme, "SENTENCES", text)
+    monkeypatch.setattr(readme, "PLACES", {*readme.PLACE.findall(text)})
+    assert readme.sentences(clone) == "1 1"
+
+
 def test_a_place_that_nothing_fills_is_an_error(clone, monkeypatch):
     monkeypatch.setattr(readme, "SENTENCES", TEXT.replace("begin [L]", "began [L]"))
     monkeypatch.setattr(readme, "PLACES", {*readme.PLACE.findall(readme.SENTENCES)})

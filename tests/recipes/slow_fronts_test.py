@@ -140,6 +140,20 @@ class TestFrontSpeed:
         assert (case["R^2, full"], case["slope, full"]) == approx((1, 0.8))
         assert case["difference of the slopes"] == approx(0.6)
 
+    def test_beside_it_stand_fronts_of_10_m_s_or_more_and_speeds_without_scaling(self):
+        """The faster ones have twice the slip and four times the speed: the exponent is 2."""
+        slow_ones = [f | {"front speed [m/s]": v} for f, v in zip(self.full, (2.0, 9.9))]
+        faster = [f | {"front speed [m/s]": v} for f, v in zip(self.full[:1] * 2, (10.0, 40.0))]
+        faster[1] = faster[1] | {"slow slip [m/s]": 2e-3}
+        found = front_speed.fits_of(slow_ones + faster)
+        assert found["full, faster"].exponent == approx(2)
+        assert len(found["full"].x) == 4 and [*found["full, unscaled"].x] == [
+            1e-3,
+            1e-3,
+            1e-3,
+            2e-3,
+        ]
+
     def test_a_model_without_fronts_counts_as_not_measured(self):
         case = self.case(self.full)
         assert isnan(case["R^2, simplified"]) and isnan(case["difference of the slopes"])
