@@ -23,7 +23,6 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rupture.commands.identity import Command, Made, Measurement, Refused
-from rupture.commands.machine import programs_at_a_time
 from rupture.commands.holdings import Scope
 from rupture.commands.making import Making, Unknown, Untold
 from rupture.commands.pool import Pool
@@ -31,6 +30,7 @@ from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
 from rupture.commands.script import script_of
 from rupture.commands.store import Onlooker, Report, Store, complain
+from rupture.commands.workers import SCHEDULER, Workers
 from rupture.replacing import ENDING
 
 __all__ = ["Made", "Refused", "Report", "Unknown"]
@@ -39,14 +39,19 @@ __all__ += ["asked", "each", "keep", "known", "measured", "run", "script_of", "u
 current: list[Making] = []  # one, or none yet
 
 
-def use(store=None, cores=None, dry_run=None, cap=None, executor=None):
+def use(store=None, cores=None, dry_run=None, cap=None, executor=None, megabytes=None):
     """Says where results are, how many programs run at a time, whether commands are only printed,
-    how many bytes of files may be there that are not kept, and what starts programs."""
+    how many bytes of files may be there that are not kept, what runs programs, and how much memory
+    each of them may need."""
     finish()
     dry_run = "--dry-run" in sys.argv if dry_run is None else dry_run
-    cores, cap = (1, 1) if dry_run else (cores or programs_at_a_time(), cap)
+    cores, cap = (1, 1) if dry_run else (cores, cap)
+    is_far = SCHEDULER in os.environ and not dry_run
+    executor = executor or (Workers if is_far else Local)(megabytes)
     place = (Onlooker if dry_run else Store)(store or os.environ.get("RUPTURE_STORE", "store"))
-    current.append(Making(place, executor or Local(), Pool(cores), dry_run, cap))
+    current.append(Making(place, executor, Pool(cores or executor.cores), dry_run, cap))
+    if not cores:
+        executor.watch(current[0].pool.resize)
     for number in ENDING:
         if is_main() and signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
             signal.signal(number, end)
@@ -60,6 +65,7 @@ def finish():
         making = current.pop()
         making.stop()
         making.pool.close()
+        making.executor.close()
         making.holdings.close(making.outermost)
 
 

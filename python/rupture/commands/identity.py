@@ -130,9 +130,9 @@ class Command(Work):
         said = SAID.get(self.program, [])
         words = [path_of(self.program), *self.words[1:], *(w for w in said if w not in self.words)]
         try:
-            code, output, sentence = executor.start(words, folder).result()
+            code, output, sentence = executor.run(words, folder)
         except OSError as error:
-            raise MachineFailure(f"'{self.line}' cannot start: {error.strerror}") from error
+            raise MachineFailure(f"'{self.line}' cannot run: {error}") from error
         if code and not (code == 1 and self.has_report and output and not sentence):  # as of diff
             last = "".join(sentence.splitlines()[-1:])
             if code in (1, 2) and last.removeprefix("rupture ").startswith(f"{self.program}: "):
