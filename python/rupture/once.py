@@ -152,6 +152,9 @@ def each(function, points, title="", only_known=False):
     if any(unknown) and making.scope.only_known:
         raise Unknown  # half of what is asked for is not what is asked for
     if any(unknown) and making.dry_run and not only_known:
+        if making.scope.parent is None:
+            wait = f"{sum(unknown)} of {len(points)} points wait for what a report will say"
+            making.show(f"# {title or 'each'}: {wait}")
         return Untold()
     making.scope.asked += [
         work for scope, is_unknown in zip(scopes, unknown) if not is_unknown for work in scope.asked

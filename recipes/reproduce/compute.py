@@ -4,6 +4,7 @@ import json
 import os
 import sys
 import time
+import traceback
 from contextlib import suppress
 from pathlib import Path
 
@@ -11,12 +12,12 @@ from claims.print_claims import print_claims
 from claims.recipes import recipe_names
 from claims.table import samples_from
 from report.written import LIST, append_to, note, refuse_others
-from reproduce.project import BESIDE_ALL, ROOT, SHARE, complain, refuse_links
+from reproduce.project import BESIDE_ALL, LOGS, ROOT, SHARE, complain, refuse_links
 from reproduce.project import say, use_own_environment
 from reproduce.processes import ensure_packages, set_up
 from reproduce.stamps import is_current as is_made
 from rupture import once
-from rupture.errors import Failure, MachineFailure
+from rupture.errors import Failure, is_of_machine
 from rupture.tools.command_line import plural
 
 RESULTS = Path("results")
@@ -66,8 +67,16 @@ def dry_run(request, processes):
             recipes.check_from_scratch(making)
     for name in request.words:
         say(f"# {name}")
-        recipes.show(name, is_whole(name, request.words))
+        if not recipes.show(name, is_whole(name, request.words)):
+            say("# More commands follow from reports that nobody has made yet.")
     return 0
+
+
+def mistake(fault):
+    """A sentence; the traceback goes to the log."""
+    with open(LOGS / "mistakes.log", "a", encoding="utf-8") as log:
+        traceback.print_exception(fault, file=log)
+    return f"a mistake in its code, {fault!r}: {log.name} has the traceback"
 
 
 def make_all(stale, named, making):
@@ -78,11 +87,11 @@ def make_all(stale, named, making):
     for number, name in enumerate(stale, 1):
         try:
             recipes.make(name, is_whole(name, named), making)
-        except MachineFailure:
-            raise
-        except Failure as failure:  # other recipes may do
+        except Exception as fault:  # other recipes may do
+            if is_of_machine(fault):
+                raise
             has_failed = True
-            complain(f"{name}: {failure}")
+            complain(f"{name}: {fault if isinstance(fault, Failure) else mistake(fault)}")
             continue
         say(f"[{time.monotonic() - begun:4.0f} s] {number} of {len(stale)}: {name}")
     return has_failed

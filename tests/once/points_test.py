@@ -269,8 +269,23 @@ def test_a_dry_run_shows_commands_and_runs_none(lab, capfd):
         "rupture analyze stress",
         "rupture load --seed 2 -o a.h5",
         "rupture analyze front a.h5",
+        "# each: 1 of 2 points wait for what a report will say",
         "cp x y",
     ]
+
+
+def test_a_dry_run_says_how_many_points_wait_for_a_report(lab, capfd):
+    lab.call(dry_run=True)
+
+    def point(n):
+        each(front, [n])
+        return run(f"analyze phi --x {run(f'analyze stress --x {n}').said}")
+
+    for _ in range(2):
+        each(lambda n: point(n) if n else n, range(3), "fronts")
+    said = capfd.readouterr().out.splitlines()
+    assert said[-1] == "# fronts: 2 of 3 points wait for what a report will say"
+    assert len([line for line in said if line[0] == "#"]) == 1
 
 
 def test_a_script_of_the_commands_gives_the_same_files(lab, monkeypatch):

@@ -33,7 +33,7 @@ class Making:
     def __init__(self, store, executor, pool, dry_run, cap):
         self.store, self.executor, self.pool, self.dry_run = store, executor, pool, dry_run
         self.holdings, self.locks = Holdings(store, cap), {}
-        self.here, self.outermost = threading.local(), Scope()
+        self.here, self.outermost, self.shown = threading.local(), Scope(), set()
 
     @property
     def scope(self):
@@ -127,7 +127,9 @@ class Making:
         try:
             paths = {n: self.path(s) if isinstance(s, Made) else s for n, s in sources}
             if self.dry_run:
-                return self.show(work)
+                self.holdings.folders[work.own] = self.store.now
+                self.show(work.typed, work.own)
+                return {}
             scopes = [*self.scope.and_around()]
             if self.pool.stopped or any(scope.is_cancelled for scope in scopes):
                 raise Stopped
@@ -138,11 +140,11 @@ class Making:
         finally:
             self.holdings.let_go(self.holdings.readers, needed)
 
-    def show(self, work):
-        if work.own not in self.holdings.folders:
-            print(work.typed, flush=True)
-        self.holdings.folders[work.own] = self.store.now
-        return {}
+    def show(self, line, key=None):
+        """Prints it, once."""
+        if (key or line) not in self.shown:
+            self.shown.add(key or line)
+            print(line, flush=True)
 
     def compute(self, work, paths, before):
         folder, since = self.store.now / work.own, time.monotonic()
