@@ -5,7 +5,6 @@ import re
 import signal
 import subprocess
 import sys
-from functools import partial
 from unittest.mock import Mock, patch
 
 import pytest
