@@ -16,7 +16,7 @@ from report.jobs import builds_of, jobs_of, write_jobs
 from report.written import refuse_others, take, written
 from reproduce import stamps
 from rupture import figures, once
-from rupture.commands.holdings import Scope
+from rupture.commands.making import Scope
 from rupture.commands.script import with_sources
 from rupture.replacing import replacing
 

@@ -5,6 +5,7 @@ import os
 import re
 import shlex
 from pathlib import Path
+from threading import Lock
 
 from rupture.commands.code import OURS, RUNS, build_at, digest, digest_at
 from rupture.commands.code import digest_of_function, digest_of_program, path_of, stamp_of
@@ -36,7 +37,8 @@ class Made(os.PathLike):
 
 class Work:
     """Something to be done once. `line`: how one types it; `own`: what it is known by; `inputs`:
-    {plain name: a Made, or the path of a user's own file}."""
+    {plain name: a Made, or the path of a user's own file}; `owners`: how many open points have
+    named it; `readers`: how many need its files now."""
 
     outputs: list[str] = []
     has_report = True
@@ -44,6 +46,12 @@ class Work:
     def __init__(self, making, folder):
         self.making, self.folder = making, folder
         self.inputs, self.kept, self.stamps = {}, set(), {}
+        self.owners = self.readers = 0
+        self.lock = Lock()  # of who does it
+
+    def sources(self):
+        """Those whose files it reads."""
+        return [source.work for source in self.inputs.values() if isinstance(source, Made)]
 
     def known_by(self, *parts):
         sources = (f"{name}={self.content(source)}" for name, source in self.inputs.items())
@@ -110,9 +118,9 @@ class Command(Work):
         return word
 
     def input_of(self, own, name):
-        if own not in self.making.holdings.works:
+        if own not in self.making.works:
             raise UsageError(f"@{own}/{name} is a file of another call: make it in this one")
-        return self.named(name, Made(self.making.holdings.works[own], name))
+        return self.named(name, Made(self.making.works[own], name))
 
     def __getitem__(self, name):
         """Raises NoSuchName for a file that it does not write, as far as its words tell."""

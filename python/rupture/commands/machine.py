@@ -28,6 +28,6 @@ def usable_megabytes():
     return min([[present], *limits("memory.max"), *limits("memory.limit_in_bytes")])[0] // 2**20
 
 
-def programs_at_a_time(megabytes=None):
-    """`megabytes`: what each may need."""
-    return max(1, min(usable_cores(), usable_megabytes() // (megabytes or ROOM)))
+def programs_at_a_time(megabytes=None, threads=1):
+    """What each may need."""
+    return max(1, min(usable_cores() // threads, usable_megabytes() // (megabytes or ROOM)))

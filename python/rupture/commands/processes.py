@@ -20,11 +20,12 @@ class Local:
 
     where = ""
 
-    def __init__(self, megabytes=None):
-        self.cores = programs_at_a_time(megabytes)
+    def __init__(self, megabytes=None, threads=1):
+        self.cores = programs_at_a_time(megabytes, threads)
         self.running: set[subprocess.Popen] = set()
         self.guard, self.stopped = RLock(), False
         self.starter = ThreadPoolExecutor(1)  # no signal comes between a start and its note
+        self.starter.submit(int).result()  # its thread begins before a signal may interrupt that
         self.prefix = WITH_US if shutil.which(WITH_US[0]) else []
 
     def run(self, words, folder):

@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 import threading
 import time
+from math import inf
 from contextlib import suppress
 
 from rupture.commands.machine import ROOM
@@ -70,12 +71,12 @@ class Workers:
 
     where = " of Dask workers"
 
-    def __init__(self, megabytes=None):
+    def __init__(self, megabytes=None, threads=1):
         try:
             import distributed
         except ImportError:
             raise Failure(INSTALL) from None
-        self.dask, self.megabytes = distributed, megabytes or ROOM
+        self.dask, self.megabytes, self.threads = distributed, megabytes or ROOM, threads
         self.file = os.path.abspath(os.environ[SCHEDULER])
         for name in ("distributed.client", "asyncio"):
             logging.getLogger(name).setLevel(logging.CRITICAL)  # we say what happens
@@ -110,8 +111,8 @@ class Workers:
         return max(1, sum(map(self.programs_of, workers)))
 
     def programs_of(self, worker):
-        threads, limit = worker["nthreads"], worker["memory_limit"]  # [bytes], or 0
-        return max(1, min(threads, limit // 2**20 // self.megabytes)) if limit else threads
+        limit = worker["memory_limit"] or inf  # [bytes]
+        return max(1, min(worker["nthreads"] // self.threads, limit // 2**20 // self.megabytes))
 
     def watch(self, resize):
         """Workers come and go."""
