@@ -45,8 +45,9 @@ class Pool:
             self.hire()
         while job := self.next_of(group):
             self.do(*job)
-        with self.waits():
-            group.done.wait()
+        if not group.done.is_set():
+            with self.waits():
+                group.done.wait()
         if group.fault:
             raise group.fault
         return group.results
