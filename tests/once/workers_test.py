@@ -14,7 +14,7 @@ import pytest
 from conftest import skip
 from endings_test import sleeping, wait_for
 from rupture import once
-from rupture.commands.workers import SCHEDULER
+from rupture.commands.workers import SCHEDULER, programs_of
 from rupture.errors import Failure, MachineFailure
 from rupture.once import each, run
 
@@ -164,6 +164,15 @@ def test_a_killed_scheduler_ends_the_call_and_the_next_one_goes_on(lab, workers)
         assert len(each(point, range(2))) == 2
         once.finish()
     assert lab.ran() == ["analyze stress --sleep 5 --x 1"]
+
+
+@pytest.mark.parametrize(
+    "threads, gigabytes, needs, programs",
+    [(8, 0, (1024, 1), 8), (8, 3, (1024, 1), 3), (8, 64, (1024, 3), 2), (2, 1, (4096, 4), 1)],
+)
+def test_a_worker_runs_what_it_has_threads_and_memory_for(threads, gigabytes, needs, programs):
+    worker = {"nthreads": threads, "memory_limit": gigabytes * 2**30}
+    assert programs_of(worker, *needs) == programs
 
 
 def test_without_dask_or_a_scheduler_a_sentence_says_what_to_do(lab, monkeypatch):

@@ -21,7 +21,7 @@ class Local:
     where = ""
 
     def __init__(self, megabytes=None, threads=1):
-        self.cores = programs_at_a_time(megabytes, threads)
+        self.cores, self.threads = programs_at_a_time(megabytes, threads), threads
         self.running: set[subprocess.Popen] = set()
         self.guard, self.stopped = RLock(), False
         self.starter = ThreadPoolExecutor(1)  # no signal comes between a start and its note
@@ -44,7 +44,7 @@ class Local:
             process = subprocess.Popen(
                 [*self.prefix, *words],
                 cwd=folder,
-                env={"OMP_NUM_THREADS": "1", **os.environ},
+                env={"OMP_NUM_THREADS": str(self.threads), **os.environ},
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,

@@ -66,6 +66,12 @@ def make_job():
     return job
 
 
+def programs_of(worker, megabytes, threads):
+    """How many at a time."""
+    limit = worker["memory_limit"] or inf  # [bytes]
+    return max(1, min(worker["nthreads"] // threads, limit // 2**20 // megabytes))
+
+
 class Workers:
     """Those that know a scheduler from the same file as we do."""
 
@@ -108,11 +114,7 @@ class Workers:
     def cores(self):
         """As many as workers have threads, if there is memory for as many programs."""
         workers = self.client.scheduler_info()["workers"].values()
-        return max(1, sum(map(self.programs_of, workers)))
-
-    def programs_of(self, worker):
-        limit = worker["memory_limit"] or inf  # [bytes]
-        return max(1, min(worker["nthreads"] // self.threads, limit // 2**20 // self.megabytes))
+        return max(1, sum(programs_of(one, self.megabytes, self.threads) for one in workers))
 
     def watch(self, resize):
         """Workers come and go."""
@@ -125,7 +127,7 @@ class Workers:
         threading.Thread(target=count, daemon=True).start()
 
     def run(self, words, folder):
-        variables = {"OMP_NUM_THREADS": "1"}
+        variables = {"OMP_NUM_THREADS": str(self.threads)}
         variables |= {name: os.environ[name] for name in TOLD if name in os.environ}
         try:
             given = words, str(folder), os.listdir(folder), variables
