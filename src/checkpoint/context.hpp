@@ -26,8 +26,8 @@ template <class... Args>
 auto naming(const std::filesystem::path& path, const auto& work) {
   try {
     return work();
-  } catch (const Unreadable& failure) {
-    throw Unreadable("{}: {}", path.string(), failure.what());
+  } catch (const NotOurs& failure) {
+    throw NotOurs("{}: {}", path.string(), failure.what());
   } catch (const Failure& failure) {
     fail_like(failure, "{}: {}", path.string(), failure.what());
   }

@@ -9,7 +9,6 @@
 #include <iterator>
 
 #include "atomic_write.hpp"
-#include "child_process.hpp"
 #include "context.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "seal.hpp"
@@ -38,7 +37,8 @@ std::size_t readable_size(const fs::path& path) {
     fail("{} is a folder; give the path of a checkpoint or record", path.string());
   }
   if (!S_ISREG(info.st_mode)) {
-    fail("{} is not a regular file; give the path of a checkpoint or record", path.string());
+    throw NotOurs("{} is not a regular file; give the path of a checkpoint or record",
+                  path.string());
   }
   return static_cast<std::size_t>(info.st_size);
 }
@@ -122,61 +122,6 @@ void check_place(const fs::path& path) {
       path.string());
 }
 
-// What can be told of a file whose header does not fit, and is found out in a child process.
-enum Remains : int { kNothing, kNotReadableHere, kOtherContent, kContentAsSealed };
-
-int remains_of(std::span<const std::byte> file, const std::string& name) {
-  const std::function<int()> look = [&] {
-    try {
-      return open_edited(file).content_is_as_sealed ? kContentAsSealed : kOtherContent;
-    } catch (const hdf5::LibraryFailure&) {
-      return kNothing;
-    } catch (const Unreadable&) {
-      return kNotReadableHere;
-    } catch (const Failure&) {  // readable, but nothing that rupture writes
-      return kOtherContent;
-    }
-  };
-  const ChildEnd end = naming(name, [&] { return in_child_process(look); });
-  return end.signal == 0 ? end.code : kNothing;
-}
-
-// Throws Changed if the HDF5 part of a file whose seal is broken can be read all the same, and
-// Unreadable if it could be elsewhere.
-void refuse_if_readable(std::span<const std::byte> file, const std::string& name) {
-  const int remains = remains_of(file, name);
-  if (remains == kNotReadableHere) naming(name, [&] { open_edited(file); });
-  if (remains == kContentAsSealed) {
-    throw Changed(
-        "{} was changed after rupture sealed it (repacked by another program, an attribute added, "
-        "or damaged outside its data), but its content still has the stored checksum: rupture seal "
-        "{} -o NEW.h5 seals it again",
-        name, name);
-  }
-  if (remains == kOtherContent) {
-    throw Changed(
-        "{} was changed after rupture sealed it, and its content no longer has the stored "
-        "checksum: if somebody edited it with another program, rupture seal {} -o NEW.h5 checks "
-        "and seals it; otherwise it is damaged: copy it again or recreate it",
-        name, name);
-  }
-}
-
-// What `read` returns, which a child process has done first. Throws Failure if a signal ended it.
-// Whether libhdf5 crashes may depend on where it has its memory, so both do exactly the same.
-template <typename Read>
-auto survived(const Read& read) {
-  const ChildEnd end = in_child_process([&] {
-    read();
-    return 0;
-  });
-  if (end.signal == 0) return read();
-  fail(
-      "the HDF5 library crashes when it reads the file ({}), so the file is damaged or malicious; "
-      "copy it again or recreate it",
-      ::strsignal(end.signal));
-}
-
 }  // namespace
 
 bool is_there(const fs::path& path) {
@@ -232,41 +177,32 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
   return sealed.checksum;
 }
 
-ContentFile read_file(const fs::path& path, Opening opening) {
+ContentFile read_file(const fs::path& path) {
   identify(path);  // of a file that is not ours the start is enough
-  const auto bytes = read_start(path, readable_size(path));
-  try {
-    return read_bytes(bytes, path.string(), opening);
-  } catch (const BrokenSeal&) {
-    refuse_if_readable(bytes, path.string());
-    throw;
-  }
+  return read_bytes(read_start(path, readable_size(path)), path.string());
 }
 
-ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name, Opening opening) {
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name) {
   const FileKind kind = header_kind(bytes, name);
   if (kind != FileKind::open_record) check_envelope(bytes, name);
-  const auto read = [&] {
+  return naming(name, [&] {
     return kind == FileKind::open_record ? put_together(bytes) : unseal(kind, bytes);
-  };
-  return naming(name, [&] { return opening == Opening::here ? read() : survived(read); });
+  });
 }
 
 EditedFile read_edited(const fs::path& path) {
   const auto bytes = read_start(path, readable_size(path));
   const std::string name = path.string();
-  if (bytes.empty()) fail("{} is empty; expected a checkpoint or record", name);
-  try {
-    EditedFile file = survived([&] { return open_edited(bytes); });
-    file.name = name;
-    return file;
-  } catch (const hdf5::LibraryFailure& failure) {
-    if (bytes.front() != std::byte{0x89}) check_envelope(bytes, name);  // a header has sentences
-    fail("{}: {}; it is damaged or not an HDF5 file: copy it again or recreate it", name,
-         failure.what());
-  } catch (const Failure& failure) {
-    fail_like(failure, "{}: {}", name, failure.what());
-  }
+  if (bytes.empty()) throw NotOurs("{} is empty; expected a checkpoint or record", name);
+  EditedFile file = naming(path, [&] {
+    try {
+      return open_edited(bytes);
+    } catch (const hdf5::LibraryFailure& failure) {
+      fail("{}; it is damaged or not an HDF5 file: copy it again or recreate it", failure.what());
+    }
+  });
+  file.name = name;
+  return file;
 }
 
 fs::path sum_path(const fs::path& path) {

@@ -119,14 +119,14 @@ Dataset read_attribute(Id object, const std::string& name, const std::string& wh
   return data;
 }
 
-// Throws Unreadable if the elements were packed in a way that this libhdf5 does not know.
+// Throws MachineFailure if the elements were packed in a way that this libhdf5 does not know.
 void check_filters(Id properties, const std::string& path) {
   for (int n = 0; n < H5Pget_nfilters(properties); ++n) {
     std::array<char, 64> name{};
     const auto filter = H5Pget_filter2(properties, static_cast<unsigned>(n), nullptr, nullptr,
                                        nullptr, name.size() - 1, name.data(), nullptr);
     if (filter < 0 || H5Zfilter_avail(filter) > 0) continue;
-    throw Unreadable(
+    throw MachineFailure(
         "{} is packed with the HDF5 filter {} ({}), which this machine lacks: repack the file with "
         "gzip where it was packed",
         path, filter, name.data());

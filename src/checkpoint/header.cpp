@@ -58,13 +58,13 @@ std::uint64_t stated_size(std::span<const std::byte> header) {
 
 [[noreturn]] void refuse_foreign(std::string_view start, const std::string& name) {
   if (start.starts_with("\x89HDF\r\n")) {
-    fail(
+    throw NotOurs(
         "{} is an HDF5 file without rupture's 512-byte header: it was not written by rupture, or "
         "was rewritten by another program; give the original file, or try rupture seal {} -o "
         "NEW.h5",
         name, name);
   }
-  fail("{} is not a checkpoint or record of rupture", name);
+  throw NotOurs("{} is not a checkpoint or record of rupture", name);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ std::string header_text(FileKind kind, std::span<const std::byte> body) {
 FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   const std::string_view start = as_text(file.first(std::min(file.size(), kHeaderSize)));
   if (start.empty()) {
-    fail("{} is empty; expected a checkpoint or record", name);
+    throw NotOurs("{} is empty; expected a checkpoint or record", name);
   }
   const auto row = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindRow& known) {
     const std::string first_line = fmt::format("{}\n", known.format);
@@ -115,19 +115,17 @@ FileKind check_envelope(std::span<const std::byte> file, const std::string& name
   const std::string body_sha256 = sha256(file.subspan(kHeaderSize));
   if (header == sealed_header(kind, file.size(), body_sha256)) return kind;
 
-  const std::uint64_t size = stated_size(file.first(kHeaderSize));
+  const std::uint64_t size = stated_size(file);
   const std::string_view stated_sha256 = line_after(header, "\nsha256 ");
-  const std::string damaged = fmt::format(
-      "{} is damaged: its bytes do not match the SHA-256 in its header; copy it again or recreate "
-      "it",
+  const bool header_is_whole = header == sealed_header(kind, size, stated_sha256);
+  const bool is_cut = header_is_whole && file.size() < size && stated_sha256 != body_sha256;
+  throw BrokenSeal(
+      "{} is damaged or was changed by another program: {}; if it was changed, rupture seal {} -o "
+      "NEW.h5 checks and seals it; otherwise copy it again or recreate it",
+      name,
+      is_cut ? fmt::format("it has {} of {} bytes", file.size(), size)
+             : "its bytes do not match the SHA-256 in its header",
       name);
-  const bool body_is_as_sealed = stated_sha256 == body_sha256;
-  if (body_is_as_sealed || header != sealed_header(kind, size, stated_sha256)) {
-    throw Failure(damaged);  // in the header, which other programs leave alone
-  }
-  if (file.size() >= size) throw BrokenSeal(damaged);
-  throw BrokenSeal("{} is truncated: it has {} of {} bytes; copy it again or recreate it", name,
-                   file.size(), size);
 }
 
 }  // namespace rupture

@@ -31,12 +31,12 @@ std::string writer_of(const hdf5::Reader& reader) {
 // Of a file that this version does not read, or not with its checksum.
 [[noreturn]] void refuse_old(const hdf5::RootAttributes& attributes, const char* which) {
   const bool is_checkpoint = attributes.format == format_name(FileKind::checkpoint);
-  fail("it has schema {}{}; this version reads schemas {} and {}: {}", attributes.schema_version,
-       which, kOldestSchema, kSchemaVersion,
-       is_checkpoint
-           ? "convert it once with rupture 0.4.0: rupture restart OLD.h5 --for 0 -o NEW.h5"
-           : "make the record again with the command that rupture analyze show of "
-             "rupture 0.4.0 prints");
+  throw NotOurs("it has schema {}{}; this version reads schemas {} and {}: {}",
+                attributes.schema_version, which, kOldestSchema, kSchemaVersion,
+                is_checkpoint
+                    ? "convert it once with rupture 0.4.0: rupture restart OLD.h5 --for 0 -o NEW.h5"
+                    : "make the record again with the command that rupture analyze show of "
+                      "rupture 0.4.0 prints");
 }
 
 hdf5::RootAttributes attributes_of(const hdf5::Reader& reader) {
@@ -44,9 +44,10 @@ hdf5::RootAttributes attributes_of(const hdf5::Reader& reader) {
   if (attributes.schema_version < kOldestSchema) refuse_old(attributes, "");
   if (attributes.schema_version <= kSchemaVersion) return attributes;
   const std::string writer = writer_of(reader);
-  fail("written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}{}",
-       writer, attributes.schema_version, version, kSchemaVersion, writer,
-       writer == kUnknown ? "" : " or newer");
+  throw NotOurs(
+      "written by {} (schema {}); this is rupture {}, which reads up to schema {}: use {}{}",
+      writer, attributes.schema_version, version, kSchemaVersion, writer,
+      writer == kUnknown ? "" : " or newer");
 }
 
 // That of a file without header. An unfinished record is no whole file.

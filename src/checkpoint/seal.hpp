@@ -14,8 +14,7 @@ struct Sealed {
 /// Throws Failure if a number is not finite.
 Sealed seal(FileKind kind, const Content& content);
 
-/// What a file holds whose header may not fit, or be missing. Throws Failure. What crashes libhdf5
-/// crashes this process.
+/// What a file holds whose header may not fit, or be missing. Throws Failure.
 EditedFile open_edited(std::span<const std::byte> file);
 
 /// The content of a file of this kind whose header was checked. Throws Failure if attributes,

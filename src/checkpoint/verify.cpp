@@ -6,8 +6,8 @@
 
 namespace rupture {
 
-ContentFile verify_file(const std::filesystem::path& path, Opening opening) {
-  ContentFile file = read_file(path, opening);
+ContentFile verify_file(const std::filesystem::path& path) {
+  ContentFile file = read_file(path);
   naming(path, [&] {
     if (file.kind == FileKind::open_record) {
       throw Failure(

@@ -44,28 +44,17 @@ FileKind identify(const std::filesystem::path& path);
 std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
                           IfExists if_exists, SumFile sum = SumFile::omit);
 
-/// Thrown if a file is not as it was sealed, but its HDF5 part can be read: another program may
-/// have edited or repacked it.
-struct Changed : Failure {
-  using Failure::Failure;
-};
-
-/// Whether libhdf5 opens a file in this process at once, or first in a child process, which costs
-/// some milliseconds and turns a crash of libhdf5 into a Failure.
-enum class Opening { here, in_child_first };
-
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
-/// mean: its bytes, schema version, content checksum and finite numbers. Throws Failure, and
-/// Changed or Unreadable where that can be told.
-ContentFile read_file(const std::filesystem::path& path, Opening opening = Opening::here);
+/// mean: its bytes, schema version, content checksum and finite numbers. libhdf5 opens it only if
+/// its bytes are as they were sealed. Throws Failure, BrokenSeal if they are not.
+ContentFile read_file(const std::filesystem::path& path);
 
-/// Reads and verifies a file in memory, as read_file(); `name` is what messages call it. Throws
-/// Failure, never Changed.
-ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name,
-                       Opening opening = Opening::here);
+/// Reads and verifies a file in memory, as read_file(); `name` is what messages call it.
+ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name);
 
-/// Reads it, first in a child process, in case the file makes libhdf5 crash. Throws
-/// Failure in one sentence that names the file, also if it holds no checkpoint or record.
+/// Reads it whatever its header says, so that a damaged file may crash libhdf5, and with it this
+/// process. Throws Failure in one sentence that names the file, also if it holds no checkpoint or
+/// record.
 EditedFile read_edited(const std::filesystem::path& path);
 
 /// Whether a run is writing this .part, which must exist, now. False where the file system has no

@@ -45,18 +45,18 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name);
 /// whole behind them is seen by its SHA-256.
 std::size_t intact_piece(std::span<const std::byte> bytes);
 
-/// Thrown if what follows the header of a file of ours is not what was sealed.
+/// Thrown if a file is no checkpoint or record, or of a schema that this version does not read.
+struct NotOurs : Failure {
+  using Failure::Failure;
+};
+
+/// Thrown if the bytes of a file of ours are not those that were sealed.
 struct BrokenSeal : Failure {
   using Failure::Failure;
 };
 
-/// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty, not
-/// ours or damaged in its header, BrokenSeal if it is truncated or damaged behind that.
+/// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty or not
+/// ours, BrokenSeal if it is truncated, damaged or changed.
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
-
-/// Thrown if a file was packed with a filter that this machine lacks, whatever it holds.
-struct Unreadable : Failure {
-  using Failure::Failure;
-};
 
 }  // namespace rupture

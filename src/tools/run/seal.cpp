@@ -17,7 +17,7 @@ void refuse_what_needs_no_seal(const std::string& path) {
   FileKind kind{};
   try {
     kind = identify(path);
-    if (kind != FileKind::open_record) verify_file(path, Opening::in_child_first);
+    if (kind != FileKind::open_record) verify_file(path);
   } catch (const Failure&) {
     return;  // why, is said when it is read
   }
@@ -30,7 +30,7 @@ void refuse_what_needs_no_seal(const std::string& path) {
 using Differences = std::vector<Difference>;  // from the original, if one was given
 
 Differences differences_from(const std::string& path, const EditedFile& edited) {
-  const ContentFile original = verify_file(path, Opening::in_child_first);
+  const ContentFile original = verify_file(path);
   const std::string& sealed = edited.sealed_checksum;
   if (sealed == original.checksum) return diff(original.content, edited.content);
   throw Failure("{} is not the original of {}: its content checksum is {} (expected {})", path,
