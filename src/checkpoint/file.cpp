@@ -194,6 +194,10 @@ EditedFile read_edited(const fs::path& path) {
   const auto bytes = read_start(path, readable_size(path));
   const std::string name = path.string();
   if (bytes.empty()) throw NotOurs("{} is empty; expected a checkpoint or record", name);
+  if (intact_piece(bytes) > 0) {
+    fail("{} is an unfinished record: rupture finish {} -o NEW.h5 makes a record of it", name,
+         name);
+  }
   EditedFile file = naming(path, [&] {
     try {
       return open_edited(bytes);
@@ -202,6 +206,7 @@ EditedFile read_edited(const fs::path& path) {
     }
   });
   file.name = name;
+  file.is_sealed = file.content_is_as_sealed && has_its_header(bytes, file.kind);
   return file;
 }
 

@@ -100,25 +100,27 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   return row->kind;
 }
 
+bool has_its_header(std::span<const std::byte> file, FileKind kind) {
+  return file.size() >= kHeaderSize &&
+         as_text(file.first(kHeaderSize)) == header_text(kind, file.subspan(kHeaderSize));
+}
+
 std::size_t intact_piece(std::span<const std::byte> bytes) {
-  if (bytes.size() < kHeaderSize) return 0;
-  const std::string_view header = as_text(bytes.first(kHeaderSize));
   const std::uint64_t size = stated_size(bytes);
-  if (size < kHeaderSize || size > bytes.size()) return 0;
-  const auto body = bytes.first(size).subspan(kHeaderSize);
-  return header == header_text(FileKind::open_record, body) ? size : 0;
+  if (size > bytes.size()) return 0;
+  return has_its_header(bytes.first(size), FileKind::open_record) ? size : 0;
 }
 
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name) {
   const FileKind kind = header_kind(file, name);
-  const std::string_view header = as_text(file.first(kHeaderSize));
-  const std::string body_sha256 = sha256(file.subspan(kHeaderSize));
-  if (header == sealed_header(kind, file.size(), body_sha256)) return kind;
+  if (has_its_header(file, kind)) return kind;
 
+  const std::string_view header = as_text(file.first(kHeaderSize));
   const std::uint64_t size = stated_size(file);
-  const std::string_view stated_sha256 = line_after(header, "\nsha256 ");
-  const bool header_is_whole = header == sealed_header(kind, size, stated_sha256);
-  const bool is_cut = header_is_whole && file.size() < size && stated_sha256 != body_sha256;
+  const std::string_view stated = line_after(header, "\nsha256 ");
+  const bool header_is_whole = header == sealed_header(kind, size, stated);
+  const bool is_cut =
+      header_is_whole && file.size() < size && stated != sha256(file.subspan(kHeaderSize));
   throw BrokenSeal(
       "{} is damaged or was changed by another program: {}; if it was changed, rupture seal {} -o "
       "NEW.h5 checks and seals it; otherwise copy it again or recreate it",

@@ -165,7 +165,7 @@ def test_the_other_kind_is_refused(folder, good, readers, sentence):
     Path("x.h5").write_bytes(good_file(good))
     for reader in readers.split(", "):
         expect_said(f"{reader} x.h5", f"x.h5 {sentence}")
-    expect_said("seal x.h5 -o new.h5", "x.h5 is sealed and intact: there is nothing to do")
+    expect_said("seal x.h5 -o new.h5", "x.h5 is as rupture sealed it: there is nothing to do")
     missing = "x.h5/y.h5 does not exist; give the path of a checkpoint or record"
     refuses("analyze stress x.h5/y.h5", 1, missing)
 

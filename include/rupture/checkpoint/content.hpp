@@ -162,6 +162,7 @@ struct EditedFile {
   FileKind kind = FileKind::checkpoint;
   std::string sealed_checksum;  ///< content checksum that rupture stored; empty if it is gone
   bool content_is_as_sealed = false;
+  bool is_sealed = false;  ///< and so is every other byte
   Content content;
 };
 

@@ -45,6 +45,9 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name);
 /// whole behind them is seen by its SHA-256.
 std::size_t intact_piece(std::span<const std::byte> bytes);
 
+/// Whether the bytes of a file of this kind, which may be none of ours, are as they were sealed.
+bool has_its_header(std::span<const std::byte> file, FileKind kind);
+
 /// Thrown if a file is no checkpoint or record, or of a schema that this version does not read.
 struct NotOurs : Failure {
   using Failure::Failure;
