@@ -243,7 +243,7 @@ def test_packages_that_are_missing_are_named(without_h5py, name):
 
 def test_the_package_runs_programs_without_h5py(without_h5py):
     run_it = "import rupture, rupture.errors; print(rupture.__version__)"
-    for command in (("/usr/bin/python3", "-c", run_it), ("golden", "--version")):
+    for command in (("/usr/bin/python3", "-c", run_it), ("reproduce", "--version")):
         done = run(*command, env=without_h5py)
         assert (done.returncode, done.stderr) == (0, ""), done.stderr
     with pytest.raises(AttributeError, match="has no attribute 'nix'"):

@@ -42,7 +42,6 @@ const std::array kTools = {
     Tool{"seal", seal_command.summary},
     Tool{"reproduce", "compute figures of the paper, their claims, and sweeps of your own",
          "Compute many runs"},
-    Tool{"golden", "check that a pipeline still writes files with the same content checksums"},
 };
 
 namespace fs = std::filesystem;
