@@ -1,8 +1,7 @@
-// analyze checksum, verify: whether files are intact and what they should be.
+// analyze checksum, verify: whether files are intact and have the checksums of a list.
 #include <algorithm>
 #include <fstream>
-#include <set>
-#include <sstream>
+#include <optional>
 #include <system_error>
 
 #include "analyze/analyze.hpp"
@@ -15,11 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line "content-sha256 <64 hex digits>  <file name>"; earlier builds wrote it without the first
-/// word, and such lines are read for ever.
-struct ManifestLine {
+/// A line "<64 hex digits>  <name>" of a list, as sha256sum writes it, or as versions before 0.6
+/// did, with the word content-sha256 in front.
+struct ListedFile {
   std::string checksum;
-  fs::path file;  ///< names in a manifest are relative to its own folder
+  std::string name;
 };
 
 struct Verdict {
@@ -27,11 +26,10 @@ struct Verdict {
   std::string_view name;
   auto operator<=>(const Verdict&) const = default;
 };
-constexpr Verdict kIntact = {0, "intact"};      // with the checksum that a manifest lists for it
-constexpr Verdict kDiffers = {1, "differs"};    // intact, but with another checksum than that
-constexpr Verdict kUnlisted = {2, "unlisted"};  // intact, but the manifest does not list it
-constexpr Verdict kChanged = {3, "changed"};    // not as sealed, but readable: edited, or damaged
-constexpr Verdict kDamaged = {4, "damaged"};    // or no file of ours
+constexpr Verdict kIntact = {0, "intact"};    // with the checksum that a list has for it
+constexpr Verdict kDiffers = {1, "differs"};  // intact, but with another checksum than that
+constexpr Verdict kChanged = {3, "changed"};  // not as sealed, but readable: edited, or damaged
+constexpr Verdict kDamaged = {4, "damaged"};  // or no file of ours
 constexpr Verdict kUnfinished = {5, "unfinished"};  // a growing record, which nothing protects
 constexpr Verdict kMissing = {6, "missing"};        // no such file
 constexpr Verdict kEmpty = {7, "empty"};            // a folder without any *.h5
@@ -74,29 +72,39 @@ class Account {
   std::vector<std::string> bad_;
 };
 
-/// Throws Failure if the manifest cannot be read, names no file or is none.
-std::vector<ManifestLine> read_manifest(const fs::path& path) {
+std::optional<ListedFile> listed_in(std::string_view line) {
+  const std::string label = labelled("");
+  if (line.starts_with(label)) line.remove_prefix(label.size());
+  constexpr std::size_t digits = 64;
+  const bool is_of_list = line.size() > digits + 2 && line.substr(digits, 2) == "  " &&
+                          line.substr(0, digits).find_first_not_of("0123456789abcdef") == line.npos;
+  if (!is_of_list) return std::nullopt;
+  return ListedFile{std::string(line.substr(0, digits)), std::string(line.substr(digits + 2))};
+}
+
+/// The lines of a list of checksums; none if the file does not begin with one. Throws Failure if
+/// another line is none.
+std::vector<ListedFile> read_list(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return {};
   std::ifstream file(path);
-  if (!file || fs::is_directory(path)) {
-    throw Failure("cannot read the manifest {}; give the path of a readable file", path.string());
-  }
-  std::vector<ManifestLine> lines;
-  std::string text;
+  std::string text(100, '\0');
+  file.read(text.data(), 100);  // what is no list may have a very long line
+  if (!listed_in(text)) return {};
+  file.clear();
+  file.seekg(0);
+  std::vector<ListedFile> lines;
   while (std::getline(file, text)) {
     if (text.ends_with('\r')) text.pop_back();
-    std::istringstream words(text);
-    ManifestLine line;
-    std::string name;
-    if (!(words >> line.checksum)) continue;
-    if (line.checksum == kChecksumLabel) words >> line.checksum;
-    if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
-      throw Failure("{} is not a manifest: expected lines '{} <64 hex digits>  <file>' (got '{}')",
-                    path.string(), kChecksumLabel, in_one_line(text));
+    if (text.empty()) continue;
+    auto line = listed_in(text);
+    if (!line) {
+      throw Failure(
+          "{} is not a list of checksums: expected lines '<64 hex digits>  <file>' (got '{}')",
+          path.string(), in_one_line(text));
     }
-    line.file = path.parent_path() / name;
-    lines.push_back(std::move(line));
+    lines.push_back(*std::move(line));
   }
-  if (lines.empty()) throw Failure("the manifest {} lists no files", path.string());
   return lines;
 }
 
@@ -106,7 +114,7 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
   if (expected.empty() || checksum == expected) {
     return {kIntact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }
-  return {kDiffers, fmt::format("{} is intact but has content checksum {}; the manifest lists {}",
+  return {kDiffers, fmt::format("{} is intact but has content checksum {}; the list has {}",
                                 file.string(), checksum, expected)};
 } catch (const Changed& changed) {
   return {kChanged, changed.what()};
@@ -122,15 +130,9 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
   return {file.extension() == ".part" ? kUnfinished : kDamaged, failure.what()};
 }
 
-fs::path place(const fs::path& file) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(file), ignored);
-}
-
 /// Verifies all *.h5 in a folder and in those below it, in the order of their names; links to
-/// folders are not followed. Where some are `listed` in a manifest these are left out, and all
-/// others are unlisted. Returns how many there are, an unreadable folder being one.
-int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Account& account) {
+/// folders are not followed. Returns how many there are, an unreadable folder being one.
+int inspect_folder(const fs::path& folder, Account& account) {
   std::error_code error;
   std::vector<fs::path> entries;
   for (fs::directory_iterator at(folder, error); at != end(at); at.increment(error)) {
@@ -145,16 +147,10 @@ int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Acc
   std::sort(entries.begin(), entries.end());
   for (const fs::path& entry : entries) {
     if (fs::symlink_status(entry, error).type() == fs::file_type::directory) {
-      found += inspect_folder(entry, listed, account);
+      found += inspect_folder(entry, account);
     } else if (entry.extension() == ".h5") {
       ++found;
-      if (listed.contains(place(entry))) continue;
-      Inspection finding = inspect_file(entry);
-      if (!listed.empty() && finding.verdict == kIntact) {
-        finding = {kUnlisted,
-                   fmt::format("{} is intact, but the manifest does not list it", entry.string())};
-      }
-      account.add(finding);
+      account.add(inspect_file(entry));
     } else if (entry.extension() == ".part" && entry.stem().extension() == ".h5") {
       account.add({kSkipped, fmt::format("{} is an unfinished record", entry.string())});
     }
@@ -162,28 +158,24 @@ int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Acc
   return found;
 }
 
+/// Verifies a file, all in a folder, or all of a list.
+void inspect(const std::string& name, Account& account) {
+  if (std::error_code ignored; fs::is_directory(name, ignored)) {
+    if (inspect_folder(name, account) > 0) return;
+    return account.add({kEmpty, fmt::format("{} contains no *.h5 files", name)});
+  }
+  const auto listed = read_list(name);
+  if (listed.empty()) account.add(inspect_file(name));
+  for (const ListedFile& line : listed) account.add(inspect_file(line.name, line.checksum));
+}
+
 int verify(const Parsed& parsed) {
-  const auto files = files_of(parsed);
-  std::vector<ManifestLine> manifest;
-  if (parsed.values.count("manifest") > 0) {
-    manifest = read_manifest(parsed.values["manifest"].as<std::string>());
+  const auto names = files_of(parsed);
+  if (names.empty()) {
+    throw UsageError("nothing to verify: name a checkpoint, record, folder or list of checksums");
   }
-  if (files.empty() && manifest.empty()) {
-    throw UsageError("nothing to verify: name a checkpoint, record or folder, or give --manifest");
-  }
-  std::set<fs::path> listed;
-  for (const ManifestLine& line : manifest) listed.insert(place(line.file));
   Account account;
-  for (const auto& file : files) {
-    if (std::error_code ignored; fs::is_directory(file, ignored)) {
-      if (inspect_folder(file, listed, account) == 0) {
-        account.add({kEmpty, fmt::format("{} contains no *.h5 files", file)});
-      }
-    } else if (!listed.contains(place(file))) {
-      account.add(inspect_file(file));
-    }
-  }
-  for (const auto& line : manifest) account.add(inspect_file(line.file, line.checksum));
+  for (const auto& name : names) inspect(name, account);
   say("{}\n", account.summary());
   account.demand_all_good();
   return kDone;
@@ -208,29 +200,24 @@ constinit const Command checksum_command = {
     "analyze checksum FILE...",
     "file",
     "content checksums of files",
-    "Verifies the file and prints its content checksum, 64 hex digits. Of several files, each "
-    "line\n"
-    "has the name, too, as in a manifest for rupture analyze verify.",
+    "Verifies the file and prints its content checksum, 64 hex digits. Of several files, each\n"
+    "line has the name, too, as in the lists that rupture analyze verify reads.",
     {},
     print_checksums};
 
 constinit const Command verify_command = {
     "analyze verify FILE|FOLDER...",
     "file",
-    "check that files and folders are intact, also against a manifest",
+    "check that files and folders are intact, also against a list",
     R"(Checks that files are intact. In a folder it checks all *.h5 files, also in folders below; it
-does not follow links to folders, and only names unfinished records (*.h5.part). With a
-manifest, files must also have the content checksums listed there, and all *.h5 files in the
-given folders must be listed. A .sum file is a manifest; so are the lines printed here for
-intact files, without their first word.
+does not follow links to folders, and only names unfinished records (*.h5.part). If a FILE
+is a list of checksums, as rupture analyze checksum A.h5 B.h5 > LIST writes it, it checks the
+files in the list, which must also have these content checksums; names are relative to the
+current folder.
 All files are checked, even if some are damaged. Exit code 0: all files are intact, 1: a file
-is changed, damaged, missing, unfinished, different from the manifest or not listed, or a
-folder contains no *.h5 files, or one of them is unreadable.)",
-    {[](po::options_description& options) {
-      options.add_options()("manifest", input_file("manifest"),
-                            "file with lines 'content-sha256 <64 hex digits>  <file>', with names "
-                            "relative to its own folder; older manifests lack the first word");
-    }},
+is changed, damaged, missing, unfinished or different from the list, or a folder contains no
+*.h5 files, or one of them is unreadable.)",
+    {},
     verify};
 
 }  // namespace rupture::tools

@@ -18,7 +18,7 @@ import jinja2
 # The files behind `input` or `holds` of a description; any file if it is not here.
 PATTERNS = {
     "checkpoint": "*.h5",
-    "record": "*.[hp]*[5t]",  # .h5 or .h5.part, not .h5.sum
+    "record": "*.[hp]*[5t]",  # .h5 or .h5.part
     "file": "*.h5",
     "options and parameters": "*.ini",
 }

@@ -65,7 +65,6 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   const auto& record = plan.options.record;
   if (record) files.push_back(*record);
   check_distinct(files, plan.options.output, input);
-  check_sums(files, plan.options.output);
   for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
   if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));
 }
@@ -165,17 +164,10 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   if (!plan.is_resumed()) plan.begin = plan.start;
   plan.begin.run->early = rule.early;
   if (plan.is_resumed()) {
-    const auto first = plan.checkpoints.begin();
     const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);
-    for (auto at = first; at != later; ++at) plan.written_before.push_back(at->second);
-    plan.written_before.push_back(plan.resumed_from);
-    plan.checkpoints.erase(first, later);
+    plan.checkpoints.erase(plan.checkpoints.begin(), later);
   }
-  if (!plan.is_complete) {
-    check_files(plan, input);
-  } else if (plan.options.record) {
-    plan.written_before.push_back(*plan.options.record);
-  }
+  if (!plan.is_complete) check_files(plan, input);
   return plan;
 }
 

@@ -41,7 +41,6 @@ struct RunPlan {
   std::optional<Interval> fields_every;  ///< if that has fields
   std::optional<Interval> in_events;     ///< if it is denser then
   Checkpoints checkpoints;               ///< on the way, that are still to come
-  std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
   bool rewrites_output = false;  ///< which is there already, as this run will write it
   bool is_complete = false;      ///< and nothing is left to do
   int threads = 1;
