@@ -36,7 +36,6 @@ const std::array kTools = {
     Tool{"analyze", "measure, compare and check checkpoints and records", "Measure and draw"},
     Tool{"map", "draw a record in space and time"},
     Tool{"movie", "make a film of a record"},
-    Tool{"watch", "watch a run in progress, in a window or as text"},
     Tool{"xdmf", "write a series of checkpoints for ParaView and VTK"},
     Tool{"finish", finish_command.summary, "Rescue and edit files"},
     Tool{"seal", seal_command.summary},

@@ -29,5 +29,4 @@ rupture parameters junctions
 rupture reproduce list
 rupture map event-record.h5 -o map.png
 rupture movie event-record.h5 -o film.gif --event first-spanning --frames 20
-rupture watch event-record.h5.part --text
 rupture xdmf prepared.h5 event.h5 -o event.xdmf
