@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "run/rebuild.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -90,14 +92,14 @@ void add_run_options(po::options_description& options) {
   add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
   add("checkpoint-every", seconds(), "write a checkpoint every T");
   add("record", output_file("record"), "record time series of the interface in FILE");
-  add("record-every", seconds()->default_value(1e-4, "1e-4"),
+  add("record-every", in_rebuild(seconds()->default_value(1e-4, "1e-4")),
       "sampling interval of the record; the times of ruptures are exact to one time step");
-  add("record-every-in-events", seconds(),
+  add("record-every-in-events", in_rebuild(seconds()),
       "during an event, also sample at this interval, fields too. An event goes on until no block "
       "has ruptured for --quiet-time");
-  add("crossings", text("F,..."),
+  add("crossings", in_rebuild(text("F,...")),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
-  add("fields", seconds(),
+  add("fields", in_rebuild(seconds()),
       "sampling interval of the displacement of all blocks, for pictures and movies; part of the "
       "record, 8 bytes per block and sample; default: none");
   add("threads", integer("N"),
@@ -173,6 +175,28 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
 
 IfExists if_record_exists(const RunOptions& options) {
   return options.resume ? IfExists::replace : options.output.if_exists;
+}
+
+std::string id_of_run(const Checkpoint& start) {
+  const ProvenanceEntry& tool = start.provenance.back();
+  const std::string text =
+      fmt::format("rupture run 2\n{} {}\n{}\n{}\n", tool.tool, tool.parent_checksum,
+                  content_checksum(parameters_content(start.parameters)), start.state.step);
+  return sha256(std::as_bytes(std::span(text)));
+}
+
+RecordedRun recorded_run(const RunPlan& plan) {
+  RecordedRun run = {plan.start.run->id, plan.record_every.time};
+  if (plan.fields_every) run.fields_every = plan.fields_every->time;
+  if (plan.in_events) run.every_in_events = plan.in_events->time;
+  if (plan.in_events) run.quiet_time = plan.rule.early.quiet_time;
+  return run;
+}
+
+std::filesystem::path path_at(const std::filesystem::path& output, double t) {
+  const auto name =
+      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
+  return output.parent_path() / name;
 }
 
 }  // namespace rupture::tools

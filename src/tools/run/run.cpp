@@ -4,6 +4,7 @@
 
 #include "cli/interruption.hpp"
 #include "run/observers.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/analysis/front.hpp"
 
 namespace rupture::tools {
