@@ -75,8 +75,8 @@ bool rename_to_new(const fs::path& from, const fs::path& to) {
   return true;
 }
 
-// Removes what killed runs left of a file, its .sum and its checkpoints: temporary files that no
-// process has locked.
+// Removes what killed runs left of a file and its checkpoints: temporary files that no process has
+// locked.
 void remove_leftovers(const fs::path& path) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder_of(path), ignored)) {

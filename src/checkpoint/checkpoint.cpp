@@ -14,8 +14,8 @@ Content checkpoint_content(const Checkpoint& checkpoint) {
 }
 
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                             IfExists if_exists, SumFile sum) {
-  return write_content(path, FileKind::checkpoint, checkpoint_content(checkpoint), if_exists, sum);
+                             IfExists if_exists) {
+  return write_content(path, FileKind::checkpoint, checkpoint_content(checkpoint), if_exists);
 }
 
 Checkpoint checkpoint_from(const Content& content) {

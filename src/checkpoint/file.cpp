@@ -5,12 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 
 #include "atomic_write.hpp"
 #include "context.hpp"
-#include "rupture/checkpoint/checksum.hpp"
 #include "seal.hpp"
 
 namespace rupture {
@@ -49,49 +46,6 @@ std::vector<std::byte> read_start(const fs::path& path, std::size_t size) {
   auto bytes = file.get() < 0 ? std::nullopt : read_start(file, size);
   if (!bytes) fail_reading(path);
   return *std::move(bytes);
-}
-
-std::string sum_line(const std::string& checksum, const fs::path& path) {
-  return fmt::format("{}  {}\n", labelled(checksum), path.filename().string());
-}
-
-// The line of a .sum; nothing if anything but a short file has this name. No link is followed.
-std::string line_in(const fs::path& sum) {
-  struct stat info {};
-  if (::lstat(sum.c_str(), &info) != 0 || !S_ISREG(info.st_mode) || info.st_size > 512) return "";
-  std::ifstream file(sum, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// Whether it is that of a .sum of the file, of any version.
-bool is_sum_line(const std::string& line, const fs::path& path) {
-  const std::string label = labelled("");
-  const std::size_t start = line.starts_with(label) ? label.size() : 0;  // not in old versions
-  constexpr std::size_t digits = 64;
-  return line.size() > start + digits &&
-         line.substr(start + digits) == sum_line("", path).substr(label.size());
-}
-
-// Gives a file its name and replaces its .sum, or removes the latter. Both are on the disk before
-// anything is replaced, and no .sum is there while it would be that of the other file. Of what is
-// no .sum, nothing is removed; it is replaced only if a .sum is wanted and the file may be, too.
-void publish(PendingFile& file, const fs::path& path, const std::string& line, IfExists if_exists,
-             SumFile wanted) {
-  const fs::path sum = sum_path(path);
-  const bool is_other = is_there(sum);  // if not, one that appears now is of another run
-  const std::string there = line_in(sum);
-  const bool is_current = there == line;  // workflow rules go by its modification time
-  const bool is_wanted = wanted == SumFile::write;
-  const bool may_replace =
-      !is_other || is_sum_line(there, path) || (is_wanted && if_exists == IfExists::replace);
-  std::optional<PendingFile> new_sum;
-  if (!is_current && may_replace) {
-    if (is_wanted) new_sum.emplace(sum, std::as_bytes(std::span(line)));
-    if (is_other) remove_durably(sum);
-  }
-  if (!file.commit(if_exists)) fail_existing(path);
-  if (new_sum) new_sum->commit(IfExists::replace);
-  if (is_wanted && !is_current && !new_sum) fail_existing(sum);
 }
 
 // Whether a link leads through /proc, as /dev/stdout does, to what this process has open.
@@ -138,8 +92,6 @@ void check_output(const fs::path& path, IfExists if_exists) {
   check_place(path);
   struct stat info {};
   if (::lstat(path.c_str(), &info) == 0 && if_exists == IfExists::refuse) fail_existing(path);
-  const fs::path sum = sum_path(path);
-  check_place(sum);
   const fs::path folder = folder_of(path);
   if (::access((folder / ".").c_str(), F_OK) != 0 ||
       ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
@@ -152,7 +104,7 @@ void check_output(const fs::path& path, IfExists if_exists) {
     throw MachineFailure("cannot write {}: {}; give another path", path.string(), reason);
   }
   // The longest name that will be written: with another, a run would be lost at its end.
-  if (::lstat(temporary_path(sum).c_str(), &info) != 0 && errno != ENOENT) {
+  if (::lstat(temporary_path(path).c_str(), &info) != 0 && errno != ENOENT) {
     fail("cannot write {}: {}; give another path", path.string(), std::strerror(errno));
   }
 }
@@ -163,12 +115,12 @@ FileKind identify(const fs::path& path) {
 }
 
 std::string write_content(const fs::path& path, FileKind kind, const Content& content,
-                          IfExists if_exists, SumFile sum) {
+                          IfExists if_exists) {
   const Sealed sealed = naming(path, [&] { return seal(kind, content); });
   PendingFile file(path, sealed.bytes);
   try {
     check_output(path, if_exists);  // others may have written here during a run
-    publish(file, path, sum_line(sealed.checksum, path), if_exists, sum);
+    if (!file.commit(if_exists)) fail_existing(path);
   } catch (const Failure& failure) {
     const std::string kept = file.keep();
     if (kept.empty()) throw;
@@ -208,23 +160,6 @@ EditedFile read_edited(const fs::path& path) {
   file.name = name;
   file.is_sealed = file.content_is_as_sealed && has_its_header(bytes, file.kind);
   return file;
-}
-
-fs::path sum_path(const fs::path& path) {
-  return path.string() + ".sum";
-}
-
-bool may_replace_sum(const fs::path& path) {
-  const fs::path sum = sum_path(path);
-  return !is_there(sum) || is_sum_line(line_in(sum), path);
-}
-
-void restore_sum(const fs::path& path, IfExists if_exists) {
-  const fs::path sum = sum_path(path);
-  const std::string line = sum_line(read_file(path).checksum, path);
-  if (line_in(sum) == line) return;
-  if (may_replace_sum(path)) if_exists = IfExists::replace;
-  if (!PendingFile(sum, std::as_bytes(std::span(line))).commit(if_exists)) fail_existing(sum);
 }
 
 }  // namespace rupture

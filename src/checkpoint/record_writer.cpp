@@ -187,7 +187,7 @@ void RecordWriter::sync() {
   part_->sync();
 }
 
-std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance, SumFile sum,
+std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance,
                                  std::optional<std::int64_t> first_step) {
   flush();
   Content content = provenance_content(provenance);
@@ -202,7 +202,7 @@ std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance,
       fail("it does not begin at step {}, as its run did", *first_step);
     }
   });
-  std::string checksum = write_content(path_, FileKind::record, content, if_exists_, sum);
+  std::string checksum = write_content(path_, FileKind::record, content, if_exists_);
   part_->remove();
   return checksum;
 }

@@ -37,10 +37,9 @@ LatestEvent read_event(const Content& content, const Parameters& p);
 /// All datasets of the checkpoint that holds these.
 Content checkpoint_content(const Checkpoint& checkpoint);
 
-/// Writes a checkpoint and, on request, its .sum; returns its content checksum. Throws Failure as
-/// write_content() does.
+/// Writes a checkpoint; returns its content checksum. Throws Failure as write_content() does.
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                             IfExists if_exists, SumFile sum = SumFile::omit);
+                             IfExists if_exists);
 
 /// Throws Failure, in one sentence that names the file, unless it is an intact checkpoint.
 Checkpoint read_checkpoint(const std::filesystem::path& path);

@@ -12,9 +12,6 @@ namespace rupture {
 /// Whether an existing file may be replaced.
 enum class IfExists { refuse, replace };
 
-/// Whether to write `<path>.sum`, a line with the content checksum, beside a file.
-enum class SumFile { omit, write };
-
 /// Whether anything has this name, be it a link that leads nowhere. Throws Failure if that cannot
 /// be found out.
 bool is_there(const std::filesystem::path& path);
@@ -34,15 +31,11 @@ void try_output(const std::filesystem::path& path);
 /// no such file or it is not ours.
 FileKind identify(const std::filesystem::path& path);
 
-/// Writes `content` and, on request, `<path>.sum` beside it; returns its checksum. Each of the two
-/// appears complete or not at all. A .sum that already says the same is left alone; one that says
-/// anything else is replaced or, without a request, removed. Throws Failure if a number is not
-/// finite, the path may not be written or the disk is full. The path then holds what it held
-/// before, unless it was only the .sum that could not be renamed; what is whole on the disk is kept
-/// under a name that the message gives. A process that is killed can leave a file without its .sum,
-/// but never with that of another.
+/// Writes `content`; returns its checksum. The file appears complete or not at all. Throws Failure
+/// if a number is not finite, the path may not be written or the disk is full. The path then holds
+/// what it held before; what is whole on the disk is kept under a name that the message gives.
 std::string write_content(const std::filesystem::path& path, FileKind kind, const Content& content,
-                          IfExists if_exists, SumFile sum = SumFile::omit);
+                          IfExists if_exists);
 
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
 /// mean: its bytes, schema version, content checksum and finite numbers. libhdf5 opens it only if
@@ -60,15 +53,5 @@ EditedFile read_edited(const std::filesystem::path& path);
 /// Whether a run is writing this .part, which must exist, now. False where the file system has no
 /// locks. Throws Failure if the file cannot be opened.
 bool is_being_written(const std::filesystem::path& part);
-
-/// `<path>.sum`.
-std::filesystem::path sum_path(const std::filesystem::path& path);
-
-/// Whether the path of a file's .sum is free, or holds a .sum of any version. Throws Failure.
-bool may_replace_sum(const std::filesystem::path& path);
-
-/// Writes the .sum of a file if it is missing, or says anything else and may be replaced. Throws
-/// Failure.
-void restore_sum(const std::filesystem::path& path, IfExists if_exists);
 
 }  // namespace rupture

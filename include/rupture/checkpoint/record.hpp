@@ -110,12 +110,12 @@ class RecordWriter {
   /// The same, and the file to the disk.
   void sync();
 
-  /// Flushes, seals, renames to the final path, writes the .sum on request and returns the content
-  /// checksum. Nothing may be appended afterwards. Throws Failure, also if the record does not
-  /// begin at `first_step` or its steps do not ascend; the .part then stays. A `provenance` that is
-  /// given replaces that of the .part, which could not know how the run ends.
+  /// Flushes, seals, renames to the final path and returns the content checksum. Nothing may be
+  /// appended afterwards. Throws Failure, also if the record does not begin at `first_step` or its
+  /// steps do not ascend; the .part then stays. A `provenance` that is given replaces that of the
+  /// .part, which could not know how the run ends.
   std::string finish(const std::vector<ProvenanceEntry>& provenance = {},
-                     SumFile sum = SumFile::omit, std::optional<std::int64_t> first_step = {});
+                     std::optional<std::int64_t> first_step = {});
 
  private:
   void flush_if_full();

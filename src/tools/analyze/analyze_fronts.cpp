@@ -1,6 +1,6 @@
 // analyze events, front, classify: the events in a record, and the front of one of them.
 #include "analyze/analyze.hpp"
-#include "analyze/records.hpp"
+#include "analyze/front_report.hpp"
 #include "cli/text.hpp"
 #include "rupture/model/derived.hpp"
 

@@ -1,4 +1,4 @@
-// analyze checksum, verify: whether files are intact and what they should be.
+// analyze checksum, verify: whether files are intact and have the checksums of a list.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -10,8 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <set>
-#include <sstream>
+#include <optional>
 #include <system_error>
 
 #include "analyze/analyze.hpp"
@@ -24,16 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line "content-sha256 <64 hex digits>  <file name>"; earlier builds wrote it without the first
-/// word, and such lines are read for ever.
-struct ManifestLine {
+/// A line "<64 hex digits>  <name>" of a list, as sha256sum writes it, or as versions before 0.6
+/// did, with the word content-sha256 in front.
+struct ListedFile {
   std::string checksum;
-  fs::path file;  ///< names in a manifest are relative to its own folder
+  std::string name;
 };
 
 enum class Verdict {
-  intact,   ///< and with the checksum that a manifest lists for it
-  changed,  ///< not as sealed, but seal would seal it; or not what the manifest lists
+  intact,   ///< and with the checksum that a list has for it
+  changed,  ///< not as sealed, but seal would seal it; or not what the list has
   damaged,
   not_ours,   ///< no checkpoint or record, or of a schema that this version does not read
   unchecked,  ///< missing, unfinished, or this machine does not let us read it
@@ -80,29 +79,39 @@ class Account {
   std::vector<std::string> bad_;
 };
 
-/// Throws Failure if the manifest cannot be read, names no file or is none.
-std::vector<ManifestLine> read_manifest(const fs::path& path) {
+std::optional<ListedFile> listed_in(std::string_view line) {
+  const std::string label = labelled("");
+  if (line.starts_with(label)) line.remove_prefix(label.size());
+  constexpr std::size_t digits = 64;
+  const bool is_of_list = line.size() > digits + 2 && line.substr(digits, 2) == "  " &&
+                          line.substr(0, digits).find_first_not_of("0123456789abcdef") == line.npos;
+  if (!is_of_list) return std::nullopt;
+  return ListedFile{std::string(line.substr(0, digits)), std::string(line.substr(digits + 2))};
+}
+
+/// The lines of a list of checksums; none if the file does not begin with one. Throws Failure if
+/// another line is none.
+std::vector<ListedFile> read_list(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return {};
   std::ifstream file(path);
-  if (!file || fs::is_directory(path)) {
-    throw Failure("cannot read the manifest {}; give the path of a readable file", path.string());
-  }
-  std::vector<ManifestLine> lines;
-  std::string text;
+  std::string text(100, '\0');
+  file.read(text.data(), 100);  // what is no list may have a very long line
+  if (!listed_in(text)) return {};
+  file.clear();
+  file.seekg(0);
+  std::vector<ListedFile> lines;
   while (std::getline(file, text)) {
     if (text.ends_with('\r')) text.pop_back();
-    std::istringstream words(text);
-    ManifestLine line;
-    std::string name;
-    if (!(words >> line.checksum)) continue;
-    if (line.checksum == kChecksumLabel) words >> line.checksum;
-    if (line.checksum.size() != 64 || !std::getline(words >> std::ws, name)) {
-      throw Failure("{} is not a manifest: expected lines '{} <64 hex digits>  <file>' (got '{}')",
-                    path.string(), kChecksumLabel, in_one_line(text));
+    if (text.empty()) continue;
+    auto line = listed_in(text);
+    if (!line) {
+      throw Failure(
+          "{} is not a list of checksums: expected lines '<64 hex digits>  <file>' (got '{}')",
+          path.string(), in_one_line(text));
     }
-    line.file = path.parent_path() / name;
-    lines.push_back(std::move(line));
+    lines.push_back(*std::move(line));
   }
-  if (lines.empty()) throw Failure("the manifest {} lists no files", path.string());
   return lines;
 }
 
@@ -122,9 +131,8 @@ Inspection look_at(const fs::path& file, const std::string& expected) try {
   if (expected.empty() || checksum == expected) {
     return {Verdict::intact, fmt::format("{}  {}", labelled(checksum), file.string())};
   }
-  return {Verdict::changed,
-          fmt::format("{} is intact but has content checksum {}; the manifest lists {}",
-                      file.string(), checksum, expected)};
+  return {Verdict::changed, fmt::format("{} is intact but has content checksum {}; the list has {}",
+                                        file.string(), checksum, expected)};
 } catch (const BrokenSeal&) {
   return look_behind_seal(file);
 }
@@ -181,15 +189,9 @@ Inspection inspect_file(const fs::path& file, const std::string& expected = {}) 
   return {is_whole ? Verdict::damaged : Verdict::unchecked, failure.what()};
 }
 
-fs::path place(const fs::path& file) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(file), ignored);
-}
-
 /// Verifies all *.h5 in a folder and in those below it, in the order of their names; links to
-/// folders are not followed. Those that are `listed` in a manifest are left out. Returns how many
-/// there are, an unreadable folder being one.
-int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Account& account) {
+/// folders are not followed. Returns how many there are, an unreadable folder being one.
+int inspect_folder(const fs::path& folder, Account& account) {
   std::error_code error;
   std::vector<fs::path> entries;
   for (fs::directory_iterator at(folder, error); at != end(at); at.increment(error)) {
@@ -204,37 +206,33 @@ int inspect_folder(const fs::path& folder, const std::set<fs::path>& listed, Acc
   std::sort(entries.begin(), entries.end());
   for (const fs::path& entry : entries) {
     if (fs::symlink_status(entry, error).type() == fs::file_type::directory) {
-      found += inspect_folder(entry, listed, account);
+      found += inspect_folder(entry, account);
     } else if (entry.extension() == ".h5") {
       ++found;
-      if (!listed.contains(place(entry))) account.add(inspect_file(entry));
+      account.add(inspect_file(entry));
     }
   }
   return found;
 }
 
+/// Verifies a file, all in a folder, or all of a list.
+void inspect(const std::string& name, Account& account) {
+  if (std::error_code ignored; fs::is_directory(name, ignored)) {
+    if (inspect_folder(name, account) > 0) return;
+    return account.add({Verdict::unchecked, fmt::format("{} contains no *.h5 files", name)});
+  }
+  const auto listed = read_list(name);
+  if (listed.empty()) account.add(inspect_file(name));
+  for (const ListedFile& line : listed) account.add(inspect_file(line.name, line.checksum));
+}
+
 int verify(const Parsed& parsed) {
-  const auto files = files_of(parsed);
-  std::vector<ManifestLine> manifest;
-  if (parsed.values.count("manifest") > 0) {
-    manifest = read_manifest(parsed.values["manifest"].as<std::string>());
+  const auto names = files_of(parsed);
+  if (names.empty()) {
+    throw UsageError("nothing to verify: name a checkpoint, record, folder or list of checksums");
   }
-  if (files.empty() && manifest.empty()) {
-    throw UsageError("nothing to verify: name a checkpoint, record or folder, or give --manifest");
-  }
-  std::set<fs::path> listed;
-  for (const ManifestLine& line : manifest) listed.insert(place(line.file));
   Account account;
-  for (const auto& file : files) {
-    if (std::error_code ignored; fs::is_directory(file, ignored)) {
-      if (inspect_folder(file, listed, account) == 0) {
-        account.add({Verdict::unchecked, fmt::format("{} contains no *.h5 files", file)});
-      }
-    } else if (!listed.contains(place(file))) {
-      account.add(inspect_file(file));
-    }
-  }
-  for (const auto& line : manifest) account.add(inspect_file(line.file, line.checksum));
+  for (const auto& name : names) inspect(name, account);
   say("{}\n", account.summary());
   account.demand_all_good();
   return kDone;
@@ -259,33 +257,30 @@ constinit const Command checksum_command = {
     "analyze checksum FILE...",
     "file",
     "content checksums of files",
-    "Verifies the file and prints its content checksum, 64 hex digits. Of several files, each "
-    "line\n"
-    "has the name, too, as in a manifest for rupture analyze verify.",
+    "Verifies the file and prints its content checksum, 64 hex digits. Of several files, each\n"
+    "line has the name, too, as in the lists that rupture analyze verify reads.",
     {},
     print_checksums};
 
 constinit const Command verify_command = {
     "analyze verify FILE|FOLDER...",
     "file",
-    "check that files and folders are intact, also against a manifest",
+    "check that files and folders are intact, also against a list",
     R"(Checks that files are intact, and says of each that it is
 
   intact
-  changed   after rupture sealed it, but rupture seal can seal it again; with a manifest, also
-            that it has another content checksum than the one listed
+  changed   after rupture sealed it, but rupture seal can seal it again; of a file in a list, also
+            that it has another content checksum than there
   damaged
   not ours  no checkpoint or record, or one that this version does not read
 
 or unchecked, if it is missing, cannot be read on this machine, or is an unfinished record. In a
-folder it checks all *.h5 files, also in folders below; it does not follow links to folders. A
-.sum file is a manifest; so are the lines printed here for intact files, without their first word.
+folder it checks all *.h5 files, also in folders below; it does not follow links to folders. If a
+FILE is a list of checksums, as rupture analyze checksum A.h5 B.h5 > LIST writes it, it checks the
+files in the list, which must also have these content checksums; names are relative to the
+current folder.
 All files are checked, even if some are damaged. Exit code 0: all are intact.)",
-    {[](po::options_description& options) {
-      options.add_options()("manifest", input_file("manifest"),
-                            "file with lines 'content-sha256 <64 hex digits>  <file>', with names "
-                            "relative to its own folder; older manifests lack the first word");
-    }},
+    {},
     verify};
 
 }  // namespace rupture::tools

@@ -36,13 +36,11 @@ const std::array kTools = {
     Tool{"analyze", "measure, compare and check checkpoints and records", "Measure and draw"},
     Tool{"map", "draw a record in space and time"},
     Tool{"movie", "make a film of a record"},
-    Tool{"watch", "watch a run in progress, in a window or as text"},
     Tool{"xdmf", "write a series of checkpoints for ParaView and VTK"},
     Tool{"finish", finish_command.summary, "Rescue and edit files"},
     Tool{"seal", seal_command.summary},
     Tool{"reproduce", "compute figures of the paper, their claims, and sweeps of your own",
          "Compute many runs"},
-    Tool{"golden", "check that a pipeline still writes files with the same content checksums"},
 };
 
 namespace fs = std::filesystem;

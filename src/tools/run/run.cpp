@@ -4,6 +4,7 @@
 
 #include "cli/interruption.hpp"
 #include "run/observers.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/analysis/front.hpp"
 
 namespace rupture::tools {
@@ -210,7 +211,7 @@ void Run::finish() {
   if (!recorder_) return;
   const fs::path& record = *plan_.options.record;
   const auto checksum = writer_->finish(recorded_until(plan_, simulation_.state().step),
-                                        output_.sum, simulation_.run().first_step);
+                                        simulation_.run().first_step);
   summary_.files.push_back({record, "record", checksum});
   announce(summary_.files.back(), output_);
   announce_events(record, output_);
@@ -229,18 +230,9 @@ void Run::save(const fs::path& path) {
   const State& state = simulation_.state();
   const Checkpoint now = {
       p, state, run_until(begin_.provenance, p, state.clock, state.step), simulation_.run(), {}};
-  const auto checksum = write_checkpoint(path, now, if_checkpoint_exists(plan_, path), output_.sum);
+  const auto checksum = write_checkpoint(path, now, if_checkpoint_exists(plan_, path));
   summary_.files.push_back({path, "checkpoint", checksum});
   saved_ = path;
-}
-
-/// Writes the .sum of each of these files that lacks it, if they are asked for: the part of the run
-/// that wrote them was killed, or not asked for them. One that is there is that of its file.
-void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& output) {
-  if (output.sum == SumFile::omit) return;
-  for (const fs::path& path : paths) {
-    if (is_there(path)) restore_sum(path, output.if_exists);
-  }
 }
 
 std::string resuming_command(const RunOptions& options) {
@@ -293,7 +285,6 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
     say("{}", forecast(plan));
     return kDone;
   }
-  restore_sums(plan.written_before, options.output);
   if (plan.is_complete) {
     const Checkpoint& end = plan.begin;
     const double t = time(end.parameters, end.state);

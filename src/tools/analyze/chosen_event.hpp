@@ -1,5 +1,5 @@
-// What commands of records have in common: the window or event that they measure, by which
-// criteria, and the report of its front.
+// What commands of records have in common: the window or event that they measure, and by which
+// criteria.
 #pragma once
 
 #include "cli/command_line.hpp"
@@ -28,6 +28,9 @@ void add_quiet_time_option(po::options_description& options);
 /// Adds --event, --from, --to and --quiet-time.
 void add_event_options(po::options_description& options);
 
+/// When the window begins in which ruptures count [s].
+double first_moment(const RecordCommand& command);
+
 /// Time without ruptures that separates events [s].
 double quiet_time(const RecordCommand& command);
 
@@ -53,12 +56,6 @@ struct ChosenEvent {
 /// the window: first ruptures of several events make no front.
 ChosenEvent choose_event(const RecordCommand& command);
 
-/// Quantities that say what the window does not show of the event, and the sentences.
-Quantities hidden_quantities(const Front& front, const EventEnd& end);
-/// How far events are apart, where t_R varies much along the interface; else nothing.
-std::string apart_text(const Parameters& p, double quiet);
-std::string hidden_text(const Front& front, const EventEnd& end);
-
 /// --slow-below, --skip-below-x, --stencil, --line and --ruptured-below, by which record_of() goes.
 void add_criteria_options(po::options_description& options);
 
@@ -69,18 +66,5 @@ FrontCriteria criteria(const RecordCommand& command);
 Quantity criteria_quantity(const FrontCriteria& criteria);
 
 Front front_of(const RecordCommand& command, const ChosenEvent& event);
-
-Quantity type_quantity(const Front& front);
-/// A slow stretch; null without one.
-Quantity stretch_quantity(const std::string& key, const std::optional<SlowStretch>& slow);
-
-/// The type, or fast-slow-fast.
-std::string kind_name(const Front& front);
-
-/// Where the front is below the limit that makes it of this kind. Places are centres of stencils.
-std::string kind_text(const Front& front, double c_s);
-
-/// The front as a whole: a line, and of a fast-slow-fast one another with its type.
-std::string front_text(const Front& front, const Parameters& p, const ChosenEvent& event);
 
 }  // namespace rupture::tools
