@@ -9,10 +9,11 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
-#include "rupture/checkpoint/header.hpp"
+#include "rupture/checkpoint/kinds.hpp"
 
 namespace rupture {
 
@@ -52,6 +53,14 @@ struct Dataset {
 
 /// All datasets of a file by absolute path, e.g. "/state/u_x".
 using Content = std::map<std::string, Dataset>;
+
+/// What other programs are told about a dataset besides its unit.
+struct Label {
+  std::string long_name;
+  /// Dataset with the values along each dimension; itself in a scale, none if unknown.
+  std::vector<std::string> axes;
+};
+using Labels = std::map<std::string, Label>;  ///< by path
 
 /// The element type that holds a T.
 template <class T>

@@ -3,29 +3,11 @@
 // None of these functions may run in two threads at once (libhdf5 is not thread-safe).
 #pragma once
 
-#include <filesystem>
-
 #include "rupture/checkpoint/content.hpp"
+#include "rupture/checkpoint/header.hpp"
+#include "rupture/checkpoint/output.hpp"
 
 namespace rupture {
-
-/// Whether an existing file may be replaced.
-enum class IfExists { refuse, replace };
-
-/// Whether anything has this name, be it a link that leads nowhere. Throws Failure if that cannot
-/// be found out.
-bool is_there(const std::filesystem::path& path);
-
-/// Throws Failure: the file exists and may not be replaced; `rather` names a better way.
-[[noreturn]] void fail_existing(const std::filesystem::path& path, std::string_view rather = {});
-inline constexpr std::string_view kResume = "--resume to continue its run, or ";
-
-/// Throws Failure if a file could not be written to `path`: it exists and may not be replaced, it
-/// is no regular file, or its folder is missing or read-only. Call it before a long run.
-void check_output(const std::filesystem::path& path, IfExists if_exists);
-
-/// Throws Failure if no file can be made, renamed and removed beside `path`. Call it as well.
-void try_output(const std::filesystem::path& path);
 
 /// The kind of file, from its header alone: cheap, and no verification. Throws Failure if there is
 /// no such file or it is not ours.
@@ -49,9 +31,5 @@ ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name
 /// process. Throws Failure in one sentence that names the file, also if it holds no checkpoint or
 /// record.
 EditedFile read_edited(const std::filesystem::path& path);
-
-/// Whether a run is writing this .part, which must exist, now. False where the file system has no
-/// locks. Throws Failure if the file cannot be opened.
-bool is_being_written(const std::filesystem::path& part);
 
 }  // namespace rupture

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "context.hpp"
-#include "hdf5.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/sealed/hdf5.hpp"
 
 namespace rupture::hdf5 {
 namespace {

@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <charconv>
 
-#include "context.hpp"
+#include "checkpoint/content/context.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 
 namespace rupture {
 namespace {
 
-struct KindRow {
-  FileKind kind;
-  std::string_view format, words;
-};
-constexpr std::array<KindRow, 3> kKinds = {
-    {{FileKind::checkpoint, "rupture-checkpoint", "a checkpoint"},
-     {FileKind::record, "rupture-record", "a record"},
-     {FileKind::open_record, "rupture-record-part", "an unfinished record"}}};
 constexpr std::uint64_t kLargestFile = 1ULL << 62U;  // [bytes]
 
 std::string_view explanation(FileKind kind) {
@@ -69,14 +61,6 @@ std::uint64_t stated_size(std::span<const std::byte> header) {
 
 }  // namespace
 
-std::string_view format_name(FileKind kind) {
-  return kKinds.at(static_cast<std::size_t>(kind)).format;
-}
-
-std::string_view kind_text(FileKind kind) {
-  return kKinds.at(static_cast<std::size_t>(kind)).words;
-}
-
 std::string header_text(FileKind kind, std::span<const std::byte> body) {
   return sealed_header(kind, kHeaderSize + body.size(), sha256(body));
 }
@@ -86,18 +70,18 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name) {
   if (start.empty()) {
     throw NotOurs("{} is empty; expected a checkpoint or record", name);
   }
-  const auto row = std::find_if(kKinds.begin(), kKinds.end(), [&](const KindRow& known) {
-    const std::string first_line = fmt::format("{}\n", known.format);
+  const auto kind = std::ranges::find_if(kFileKinds, [&](FileKind known) {
+    const std::string first_line = fmt::format("{}\n", format_name(known));
     return first_line.starts_with(start.substr(0, first_line.size()));  // a file of any length
   });
-  if (row == kKinds.end()) refuse_foreign(start, name);
+  if (kind == kFileKinds.end()) refuse_foreign(start, name);
   if (start.size() < kHeaderSize) {
     fail(
         "{} is truncated: it ends within its 512-byte header, after {} bytes; copy it again or "
         "recreate it",
         name, start.size());
   }
-  return row->kind;
+  return *kind;
 }
 
 bool has_its_header(std::span<const std::byte> file, FileKind kind) {

@@ -1,6 +1,6 @@
 #include "rupture/checkpoint/verify.hpp"
 
-#include "context.hpp"
+#include "checkpoint/content/context.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/record.hpp"
 

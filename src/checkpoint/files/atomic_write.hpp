@@ -1,12 +1,20 @@
 // Files that appear complete or not at all, and files that only grow.
 #pragma once
 
-#include "rupture/checkpoint/file.hpp"
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "rupture/checkpoint/output.hpp"
 
 namespace rupture {
 
 /// Folder of a path, "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
+
+/// Throws MachineFailure with the system's reason.
+[[noreturn]] void fail_reading(const std::filesystem::path& path);
 
 /// A hidden name under which a file is written first: another one each time.
 std::filesystem::path temporary_path(const std::filesystem::path& path);

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "context.hpp"
-#include "record_layout.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/content/state_content.hpp"
 
 namespace rupture {
 namespace {

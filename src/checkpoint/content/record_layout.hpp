@@ -4,8 +4,7 @@
 
 #include <tuple>
 
-#include "hdf5.hpp"
-#include "rupture/checkpoint/record.hpp"
+#include "rupture/checkpoint/record_content.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::record_layout {
@@ -127,11 +126,6 @@ namespace rupture {
 Content record_positions(const Parameters& parameters, const Content& record);
 
 /// Labels of all datasets of a record that have any.
-hdf5::Labels record_labels(const Content& record);
-
-/// What a record holds of its run and of the event before its first sample, as datasets under /run.
-/// Empty if there is none, as in files of earlier builds.
-Content recorded_run_content(const RecordedRun& run, const LatestEvent& before);
-RecordedRun read_recorded_run(const Content& content);
+Labels record_labels(const Content& record);
 
 }  // namespace rupture

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "context.hpp"
+#include "checkpoint/content/context.hpp"
 
 namespace rupture {
 namespace {

@@ -1,6 +1,7 @@
 #include "rupture/checkpoint/checkpoint.hpp"
 
-#include "context.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/content/state_content.hpp"
 
 namespace rupture {
 

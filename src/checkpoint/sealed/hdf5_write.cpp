@@ -1,7 +1,7 @@
 #include <hdf5.h>
 
-#include "context.hpp"
-#include "hdf5.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/sealed/hdf5.hpp"
 
 namespace rupture::hdf5 {
 namespace {

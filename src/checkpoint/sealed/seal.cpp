@@ -1,7 +1,7 @@
-#include "seal.hpp"
+#include "checkpoint/sealed/seal.hpp"
 
-#include "context.hpp"
-#include "record_layout.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/content/record_layout.hpp"
 #include "rupture/checkpoint/checksum.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/version.hpp"
@@ -77,7 +77,7 @@ Sealed seal(FileKind kind, const Content& content) {
   check_finite(content);
   const bool is_piece = kind == FileKind::open_record;  // which nothing compares
   const std::string checksum = is_piece ? std::string() : content_checksum(content);
-  const auto labels = kind == FileKind::record ? record_labels(content) : hdf5::Labels{};
+  const auto labels = kind == FileKind::record ? record_labels(content) : Labels{};
   std::vector<std::byte> bytes = hdf5::make_image(
       {std::string(format_name(kind)), kSchemaVersion, checksum, is_piece ? kNoteInPieces : ""},
       content, labels);

@@ -1,11 +1,14 @@
+#include "rupture/checkpoint/record.hpp"
+
 #include <algorithm>
 #include <limits>
 
-#include "atomic_write.hpp"
-#include "context.hpp"
-#include "record_layout.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
-#include "seal.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/content/record_layout.hpp"
+#include "checkpoint/content/state_content.hpp"
+#include "checkpoint/files/atomic_write.hpp"
+#include "checkpoint/sealed/seal.hpp"
+#include "rupture/checkpoint/parameters_content.hpp"
 
 namespace rupture {
 namespace {
@@ -45,41 +48,7 @@ std::vector<std::byte> piece_of(const std::filesystem::path& part, const Content
   return naming(part, [&] { return seal(FileKind::open_record, rows); }).bytes;
 }
 
-// The scales along which a dataset goes, slowest dimension first: time, time and x.
-std::vector<std::string> axes_of(const std::string& path, const Shape& shape) {
-  const std::string group = path.substr(0, path.rfind('/') + 1);
-  for (const char* scale : {"time", "z", "x", "levels"}) {
-    if (path == group + scale) return {path};
-  }
-  if (shape.size() == 1) return {group + "time"};
-  if (shape.size() == 2) return {group + "time", group + "x"};
-  return {group + "time", group + "z", group + "x"};
-}
-
 }  // namespace
-
-Content record_positions(const Parameters& parameters, const Content& record) {
-  Content positions;
-  layout::for_each(layout::kScales, [&](const layout::Scale& row) {
-    const std::string path = row.path;
-    if (!row.of || !record.contains(path.substr(0, path.rfind('/')) + "/time")) return;
-    const std::vector<double> values = row.of(parameters);
-    positions[path] = make_array(std::span(values), {values.size()}, row.unit);
-  });
-  return positions;
-}
-
-hdf5::Labels record_labels(const Content& record) {
-  hdf5::Labels labels;
-  const auto is_there = [&](const std::string& path) { return record.contains(path); };
-  layout::for_each_dataset([&](const auto& row) {
-    if (!is_there(row.path)) return;
-    auto axes = axes_of(row.path, record.at(row.path).shape);
-    if (!std::all_of(axes.begin(), axes.end(), is_there)) axes.clear();  // reading will complain
-    labels[row.path] = {row.long_name, std::move(axes)};
-  });
-  return labels;
-}
 
 std::filesystem::path part_path(const std::filesystem::path& path) {
   return path.string() + ".part";
@@ -205,6 +174,19 @@ std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance,
   std::string checksum = write_content(path_, FileKind::record, content, if_exists_);
   part_->remove();
   return checksum;
+}
+
+Record read_record(const std::filesystem::path& path) {
+  return read_record_file(path).record;
+}
+
+RecordFile read_record_file(const std::filesystem::path& path) {
+  if (identify(path) == FileKind::checkpoint) {
+    fail("{} is a checkpoint; expected a record", path.string());
+  }
+  ContentFile file = read_file(path);
+  Record record = naming(path, [&] { return record_from(file); });
+  return {std::move(record), std::move(file.content), file.ignored_bytes};
 }
 
 }  // namespace rupture

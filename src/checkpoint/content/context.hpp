@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "rupture/checkpoint/header.hpp"
+#include "rupture/checkpoint/kinds.hpp"
 
 namespace rupture {
 

@@ -1,7 +1,7 @@
 // Between a Content and the bytes of a file that protects itself.
 #pragma once
 
-#include "hdf5.hpp"
+#include "checkpoint/sealed/hdf5.hpp"
 
 namespace rupture {
 

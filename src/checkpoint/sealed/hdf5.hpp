@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rupture/checkpoint/content.hpp"
+#include "rupture/checkpoint/header.hpp"
 
 namespace rupture::hdf5 {
 
@@ -53,14 +54,6 @@ struct RootAttributes {
   std::string content_checksum;
   std::string note = {};  ///< for people who open the file with another program; never read
 };
-
-/// What other programs are told about a dataset besides its unit.
-struct Label {
-  std::string long_name;
-  /// Dataset with the values along each dimension; itself in a scale, none if unknown.
-  std::vector<std::string> axes;
-};
-using Labels = std::map<std::string, Label>;  ///< by path
 
 /// A whole file: kHeaderSize zero bytes, to be overwritten by the header, then the HDF5 part.
 /// Equal arguments give equal bytes.

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "context.hpp"
-#include "record_layout.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
+#include "checkpoint/content/context.hpp"
+#include "checkpoint/content/record_layout.hpp"
+#include "checkpoint/content/state_content.hpp"
+#include "rupture/checkpoint/parameters_content.hpp"
 
 namespace rupture {
 namespace {
@@ -309,19 +310,6 @@ std::vector<Rupture> ruptures_below(const Record& record, double fraction) {
   const auto recorded = recorded_below(record, fraction);
   ruptures.insert(ruptures.end(), recorded.begin(), recorded.end());
   return ruptures;
-}
-
-Record read_record(const std::filesystem::path& path) {
-  return read_record_file(path).record;
-}
-
-RecordFile read_record_file(const std::filesystem::path& path) {
-  if (identify(path) == FileKind::checkpoint) {
-    fail("{} is a checkpoint; expected a record", path.string());
-  }
-  ContentFile file = read_file(path);
-  Record record = naming(path, [&] { return record_from(file); });
-  return {std::move(record), std::move(file.content), file.ignored_bytes};
 }
 
 }  // namespace rupture

@@ -1,5 +1,6 @@
-#include "context.hpp"
-#include "rupture/checkpoint/checkpoint.hpp"
+#include "checkpoint/content/state_content.hpp"
+
+#include "checkpoint/content/context.hpp"
 #include "rupture/model/derived.hpp"
 #include "rupture/model/laws.hpp"
 
