@@ -71,6 +71,7 @@ inline constexpr DataType kDataTypeOf = [] {
   if (std::is_same_v<T, std::uint32_t>) return DataType::uint32;
   if (std::is_same_v<T, std::uint16_t>) return DataType::uint16;
   if (std::is_same_v<T, std::uint8_t>) return DataType::uint8;
+  if (std::is_same_v<T, std::string>) return DataType::text;
   throw "no type of a dataset";  // at compile time, in which this function runs
 }();
 

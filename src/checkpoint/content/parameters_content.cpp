@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "checkpoint/content/layout.hpp"
 namespace rupture {
 namespace {
 
@@ -135,6 +136,16 @@ Parameters read_parameters(const Content& content) {
     throw Failure(error.what());
   }
   return parameters;
+}
+
+DatasetInfos parameter_datasets() {
+  DatasetInfos all;
+  for (const ParameterInfo& info : parameter_table()) {
+    const Dataset scalar = parameter_dataset({}, info);
+    all.push_back({dataset_path(info), type_name(scalar.type), "", scalar.unit});
+    if (may_vary_along_x(info)) all.back().lengths = "|[Nx]";
+  }
+  return all;
 }
 
 }  // namespace rupture

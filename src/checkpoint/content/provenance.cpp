@@ -5,6 +5,7 @@
 #include <locale>
 #include <set>
 
+#include "checkpoint/content/layout.hpp"
 #include "rupture/version.hpp"
 
 namespace rupture {
@@ -108,6 +109,14 @@ std::vector<ProvenanceEntry> read_provenance(const Content& content) {
   refuse_others(content, kProvenanceGroup, provenance_content(chain),
                 "is not part of a provenance: use a newer rupture");
   return chain;
+}
+
+DatasetInfos provenance_datasets() {
+  DatasetInfos all;
+  for (const auto& [name, member] : kMembers) {
+    all.push_back({fmt::format("{}*/{}", kProvenanceGroup, name), "text", "", "1"});
+  }
+  return all;
 }
 
 }  // namespace rupture

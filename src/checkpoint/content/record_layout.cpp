@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "checkpoint/content/layout.hpp"
 namespace rupture {
 namespace {
 
@@ -41,6 +42,29 @@ Labels record_labels(const Content& record) {
     labels[row.path] = {row.long_name, std::move(axes)};
   });
   return labels;
+}
+
+DatasetInfos record_datasets() {
+  DatasetInfos all;
+  const auto add = [&](const char* rows, const auto& table, const auto& entry) {
+    layout::for_each(table, [&](const auto& row) {
+      const auto& values = entry.*row.member;
+      const std::size_t dimensions = layout::shape_of(values, 0, {}).size();
+      const char* blocks = dimensions == 1 ? "" : dimensions == 2 ? "[Nx]" : "[Nz][Nx]";
+      all.push_back({row.path, type_name(layout::type_of(values)),
+                     fmt::format("{}{}", rows, blocks), row.unit});
+    });
+  };
+  add("[n]", layout::kSeries, Sample{});
+  add("[r]", layout::kRuptures, Rupture{});
+  add("[c]", layout::kCrossings, Rupture{});
+  add("[m]", layout::kFields, FieldSample{});
+  layout::for_each(layout::kScales, [&](const layout::Scale& row) {
+    const std::string path = row.path;
+    const char* length = path.ends_with("/z") ? "[Nz]" : path.ends_with("/x") ? "[Nx]" : "[k]";
+    all.push_back({path, "float64", length, row.unit});
+  });
+  return all;
 }
 
 }  // namespace rupture

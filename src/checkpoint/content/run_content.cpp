@@ -2,45 +2,50 @@
 #include <limits>
 
 #include "checkpoint/content/context.hpp"
+#include "checkpoint/content/layout.hpp"
 #include "checkpoint/content/state_content.hpp"
 
 namespace rupture {
 namespace {
 
-constexpr const char* kId = "/run/id";
-constexpr const char* kRecordEvery = "/run/record_every";
-constexpr const char* kFieldsEvery = "/run/fields_every";
-constexpr const char* kEveryInEvents = "/run/record_every_in_events";
-constexpr const char* kFirstStep = "/run/first_step";
-constexpr const char* kLastBreak = "/run/last_break";
-constexpr const char* kRuptures = "/run/ruptures";
-constexpr const char* kLeadingEdge = "/run/leading_edge_ruptured";
-constexpr const char* kEvent = "/run/event";
-constexpr const char* kLastRupture = "/run/last_rupture";
-constexpr const char* kSpanned = "/run/spanned";
-constexpr const char* kQuietTime = "/run/quiet_time";
-constexpr const char* kQuietSteps = "/run/quiet_steps";
-constexpr const char* kArrivedBelow = "/run/arrived_below";
-constexpr const char* kUntilSpanned = "/run/until_spanned";
-constexpr const char* kUntilRuptureOf = "/run/until_rupture_of";
+constexpr Row<std::string> kId = {"/run/id", "1"};
+constexpr Row<double> kRecordEvery = {"/run/record_every", "s"};
+constexpr Row<double> kFieldsEvery = {"/run/fields_every", "s"};
+constexpr Row<double> kEveryInEvents = {"/run/record_every_in_events", "s"};
+constexpr Row<std::int64_t> kFirstStep = {"/run/first_step", "1"};
+constexpr Row<std::int64_t> kLastBreak = {"/run/last_break", "1"};
+constexpr Row<std::int64_t> kRuptures = {"/run/ruptures", "1"};
+constexpr Row<std::uint8_t> kLeadingEdge = {"/run/leading_edge_ruptured", "1"};
+constexpr Row<double> kEvent = {"/run/event", "s", "[Nx]"};
+constexpr Row<double> kLastRupture = {"/run/last_rupture", "s"};
+constexpr Row<std::uint8_t> kSpanned = {"/run/spanned", "1"};
+constexpr Row<double> kQuietTime = {"/run/quiet_time", "s"};
+constexpr Row<std::int64_t> kQuietSteps = {"/run/quiet_steps", "1"};
+constexpr Row<double> kArrivedBelow = {"/run/arrived_below", "1"};
+constexpr Row<std::uint8_t> kUntilSpanned = {"/run/until_spanned", "1"};
+constexpr Row<std::int64_t> kUntilRuptureOf = {"/run/until_rupture_of", "1"};
 
 constexpr double kNoRupture = -1.0;
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 
-std::int64_t read_between(const Content& content, const char* path, std::int64_t least,
+std::int64_t read_between(const Content& content, const Row<std::int64_t>& row, std::int64_t least,
                           std::int64_t most) {
-  const auto value = read_scalar<std::int64_t>(content, path);
+  const std::int64_t value = value_of(content, row);
   if (value >= least && value <= most) return value;
-  fail("{} = {}; expected {} to {}", path, value, least, most);
+  fail("{} = {}; expected {} to {}", row.path, value, least, most);
 }
 
-Dataset make_truth(bool value) {
-  return make_scalar<std::uint8_t>(value ? 1 : 0, "1");
+bool has(const Content& content, const auto& row) {
+  return content.contains(row.path);
 }
 
-bool read_truth(const Content& content, const char* path) {
-  const auto value = read_scalar<std::uint8_t>(content, path);
-  if (value > 1) fail("{} = {}; expected 0 or 1", path, value);
+void put_truth(Content& content, const Row<std::uint8_t>& row, bool value) {
+  put<std::uint8_t>(content, row, value ? 1 : 0);
+}
+
+bool read_truth(const Content& content, const Row<std::uint8_t>& row) {
+  const std::uint8_t value = value_of(content, row);
+  if (value > 1) fail("{} = {}; expected 0 or 1", row.path, value);
   return value == 1;
 }
 
@@ -49,33 +54,33 @@ Content event_content(const LatestEvent& event) {
   if (event.first.empty()) return {};
   std::vector<double> times;
   for (const auto& t : event.first) times.push_back(t.value_or(kNoRupture));
-  return {{kEvent, make_array<double>(times, {times.size()}, "s")},
-          {kLastRupture, make_scalar(event.last_rupture, "s")}};
+  Content content = {{kEvent.path, make_array<double>(times, {times.size()}, kEvent.unit)}};
+  put(content, kLastRupture, event.last_rupture);
+  return content;
 }
 
 /// Runs until quiet also end when an event has spanned, and do not say so.
 void write_early_end(const EarlyEnd& early, Content& content) {
-  if (early.quiet_steps) content[kQuietSteps] = make_scalar(*early.quiet_steps, "1");
-  if (early.arrived_below) content[kArrivedBelow] = make_scalar(*early.arrived_below, "1");
-  if (early.spanned && !early.quiet_steps) content[kUntilSpanned] = make_truth(true);
-  if (early.rupture_of) content[kUntilRuptureOf] = make_scalar(*early.rupture_of, "1");
-  if (early.quiet_time) content[kQuietTime] = make_scalar(*early.quiet_time, "s");
+  if (early.quiet_steps) put(content, kQuietSteps, *early.quiet_steps);
+  if (early.arrived_below) put(content, kArrivedBelow, *early.arrived_below);
+  if (early.spanned && !early.quiet_steps) put_truth(content, kUntilSpanned, true);
+  if (early.rupture_of) put(content, kUntilRuptureOf, *early.rupture_of);
+  if (early.quiet_time) put(content, kQuietTime, *early.quiet_time);
 }
 
-std::optional<double> read_if_there(const Content& content, const char* path) {
-  if (!content.contains(path)) return std::nullopt;
-  return read_scalar<double>(content, path);
+std::optional<double> read_if_there(const Content& content, const Row<double>& row) {
+  if (!has(content, row)) return std::nullopt;
+  return value_of(content, row);
 }
 
 EarlyEnd read_early_end(const Content& content, const Parameters& p) {
   EarlyEnd early;
-  if (content.contains(kQuietSteps))
-    early.quiet_steps = read_between(content, kQuietSteps, 0, kMost);
+  if (has(content, kQuietSteps)) early.quiet_steps = read_between(content, kQuietSteps, 0, kMost);
   early.arrived_below = read_if_there(content, kArrivedBelow);
   early.quiet_time = read_if_there(content, kQuietTime);
   early.spanned = early.quiet_steps.has_value() ||
-                  (content.contains(kUntilSpanned) && read_truth(content, kUntilSpanned));
-  if (content.contains(kUntilRuptureOf))
+                  (has(content, kUntilSpanned) && read_truth(content, kUntilSpanned));
+  if (has(content, kUntilRuptureOf))
     early.rupture_of = read_between(content, kUntilRuptureOf, 0, p.Nx - 1);
   return early;
 }
@@ -84,14 +89,14 @@ EarlyEnd read_early_end(const Content& content, const Parameters& p) {
 
 Content run_content(const RunSoFar& run) {
   Content content;
-  content[kFirstStep] = make_scalar(run.first_step, "1");
-  content[kLastBreak] = make_scalar(run.last_break, "1");
-  content[kRuptures] = make_scalar(run.ruptures, "1");
-  content[kLeadingEdge] = make_truth(run.leading_edge_ruptured);
+  put(content, kFirstStep, run.first_step);
+  put(content, kLastBreak, run.last_break);
+  put(content, kRuptures, run.ruptures);
+  put_truth(content, kLeadingEdge, run.leading_edge_ruptured);
   content.merge(event_content(run.event));
-  if (!run.event.first.empty()) content[kSpanned] = make_truth(run.spanned);
+  if (!run.event.first.empty()) put_truth(content, kSpanned, run.spanned);
   write_early_end(run.early, content);
-  if (!run.id.empty()) content[kId] = make_text(run.id);
+  if (!run.id.empty()) content[kId.path] = make_text(run.id);
   return content;
 }
 
@@ -107,19 +112,20 @@ std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, st
   run.leading_edge_ruptured = read_truth(content, kLeadingEdge);
   run.event = read_event(content, p);
   if (!run.event.first.empty()) run.spanned = read_truth(content, kSpanned);
-  if (content.contains(kId)) run.id = read_text(content, kId);
+  if (has(content, kId)) run.id = read_text(content, kId.path);
   run.early = read_early_end(content, p);
   return run;
 }
 
 LatestEvent read_event(const Content& content, const Parameters& p) {
   LatestEvent event;
-  if (!content.contains(kEvent)) return event;
-  event.last_rupture = read_scalar<double>(content, kLastRupture);
-  for (const double t : read_array<double>(content, kEvent, {static_cast<std::uint64_t>(p.Nx)})) {
+  if (!has(content, kEvent)) return event;
+  event.last_rupture = value_of(content, kLastRupture);
+  for (const double t :
+       read_array<double>(content, kEvent.path, {static_cast<std::uint64_t>(p.Nx)})) {
     if (t != kNoRupture && !(t >= 0.0 && t <= event.last_rupture)) {
-      fail("{} holds {}; expected 0 to {} = {}, or {} for no rupture", kEvent, t, kLastRupture,
-           event.last_rupture, kNoRupture);
+      fail("{} holds {}; expected 0 to {} = {}, or {} for no rupture", kEvent.path, t,
+           kLastRupture.path, event.last_rupture, kNoRupture);
     }
     event.first.push_back(t == kNoRupture ? std::nullopt : std::optional(t));
   }
@@ -129,19 +135,28 @@ LatestEvent read_event(const Content& content, const Parameters& p) {
 Content recorded_run_content(const RecordedRun& run, const LatestEvent& before) {
   Content content = event_content(before);
   if (run.id.empty()) return content;
-  content[kId] = make_text(run.id);
-  content[kRecordEvery] = make_scalar(run.every, "s");
-  if (run.fields_every) content[kFieldsEvery] = make_scalar(*run.fields_every, "s");
-  if (run.every_in_events) content[kEveryInEvents] = make_scalar(*run.every_in_events, "s");
-  if (run.quiet_time) content[kQuietTime] = make_scalar(*run.quiet_time, "s");
+  content[kId.path] = make_text(run.id);
+  put(content, kRecordEvery, run.every);
+  if (run.fields_every) put(content, kFieldsEvery, *run.fields_every);
+  if (run.every_in_events) put(content, kEveryInEvents, *run.every_in_events);
+  if (run.quiet_time) put(content, kQuietTime, *run.quiet_time);
   return content;
 }
 
 RecordedRun read_recorded_run(const Content& content) {
-  if (!content.contains(kId)) return {};
-  return {read_text(content, kId), read_scalar<double>(content, kRecordEvery),
+  if (!has(content, kId)) return {};
+  return {read_text(content, kId.path), value_of(content, kRecordEvery),
           read_if_there(content, kFieldsEvery), read_if_there(content, kEveryInEvents),
           read_if_there(content, kQuietTime)};
+}
+
+DatasetInfos run_datasets(FileKind kind) {
+  if (kind != FileKind::checkpoint) {
+    return {kId, kEvent, kLastRupture, kRecordEvery, kFieldsEvery, kEveryInEvents, kQuietTime};
+  }
+  return {kId,           kFirstStep,    kLastBreak,     kRuptures,  kLeadingEdge,
+          kSpanned,      kEvent,        kLastRupture,   kQuietTime, kQuietSteps,
+          kArrivedBelow, kUntilSpanned, kUntilRuptureOf};
 }
 
 }  // namespace rupture

@@ -7,6 +7,7 @@
 
 #include "cli/report.hpp"
 #include "run/output.hpp"
+#include "rupture/checkpoint/layout.hpp"
 #include "rupture/model/user_text.hpp"
 
 namespace {
@@ -88,6 +89,13 @@ std::string describe() {
                {"tools", Json::array()}};
   for (const Tool& tool : kTools) {
     json["tools"].push_back({{"name", tool.name}, {"summary", tool.summary}});
+  }
+  for (const FileKind kind : {FileKind::checkpoint, FileKind::record}) {
+    Json& list = json["datasets"][std::string(kind_name(kind))];
+    for (const DatasetInfo& row : datasets_of(kind)) {
+      list.push_back(
+          {{"path", row.path}, {"type", row.type}, {"lengths", row.lengths}, {"unit", row.unit}});
+    }
   }
   return json_text(json) + "\n";
 }
