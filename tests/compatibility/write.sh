@@ -17,5 +17,5 @@ load -q --config slider.ini --set junctions.law=simplified \
   --set junctions.delta_t_R=1e-4 --set junctions.mu_new=0.05 --until 3e-4 -o other-law.h5
 prepare -q --config slider.ini --set driving.V=0 --tau-bar 0.5 --sigma-bar 0.15 \
   --x-trigger 0.006 -o prepared.h5
-analyze checksum ./*.h5 >manifest
+analyze checksum -- *.h5 >manifest
 rm slider.ini

@@ -10,8 +10,7 @@ mkdir -p "$3"
 cd "$3"
 export LC_ALL=C  # the order of names
 PATH=$2:$PATH "$here/chain.sh"
-sums=$("$2/analyze" checksum ./*.h5)
-sed 's|^\(.*\)  \./|content-sha256 \1  |' <<<"$sums" >found.txt
+"$2/analyze" checksum ./*.h5 | sed 's|^\(.*\)  \./|content-sha256 \1  |' >found.txt
 if [[ $1 == regenerate ]]; then
   cp found.txt "$here/checksums.txt"
 elif ! diff "$here/checksums.txt" found.txt; then

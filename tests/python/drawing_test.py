@@ -1,5 +1,5 @@
-"""map, movie and xdmf: pictures and the window that they show, films, packages that are missing, and
-files that appear whole or not at all. What they refuse is in tools/tables/drawing.txt."""
+"""map, movie and xdmf: pictures and the window that they show, films, packages that are missing,
+and files that appear whole or not at all. What they refuse is in tools/tables/drawing.txt."""
 
 import os
 import shutil

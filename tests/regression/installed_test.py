@@ -43,7 +43,6 @@ def test_a_test_of_ones_own_notices_that_results_changed(prefix, folder, monkeyp
     page = (ROOT / "docs/regression-tests.md").read_text(encoding="utf-8")
     (script,) = re.findall("```bash\n(.*?)```", page, re.DOTALL)
     Path("my_test.sh").write_text(script, encoding="utf-8")
-    assert run("bash", "my_test.sh").returncode == 1
     for option in (("accept",), ()):
         assert succeeds("bash", "my_test.sh", *option).stdout.endswith("\n3 intact\n")
 
@@ -115,7 +114,7 @@ def test_any_version_of_eigen_is_taken(configuring, folder):
     "component, options, sentence",
     [
         ("COMPONENTS libary", [], "libary"),
-        ("COMPONENTS library", [WITHOUT_FMT], "could not find dependency: fmt"),
+        ("COMPONENTS library", [WITHOUT_FMT], "find_package for module fmt"),
     ],
 )
 def test_what_is_wrong_or_missing_is_named(configuring, component, options, sentence):

@@ -183,13 +183,6 @@ int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
   return kDone;
 }
 
-/// What the record does not show of its first and last event.
-std::string events_text(const Parameters& p, const std::vector<Event>& events, double quiet) {
-  const Event &first = events.front(), &last = events.back();
-  return hidden_text(first.front, {}) +
-         hidden_text({}, {last.silence, quiet, last.front.line.is_over}) + apart_text(p, quiet);
-}
-
 Report report_of_events(const RecordCommand& command) {
   const Record& record = command.record;
   const FrontCriteria how = criteria(command);

@@ -23,21 +23,7 @@ std::string slow_text(const Front& front, double c_s) {
   return fmt::format(fmt::runtime(text), 1.0 / front.criteria.slow_below);
 }
 
-}  // namespace
-
-Quantities hidden_quantities(const Front& front, const EventEnd& end) {
-  const bool has_event = front.type != FrontType::none;
-  return {
-      {"ruptured_before", "1", "blocks that had ruptured in the event before the window begins",
-       static_cast<std::int64_t>(front.line.ruptured_before())},
-      {"is_over", "", "whether nothing ruptured for quiet_time after the event; null without one",
-       if_known(has_event, end.is_over)},
-      {"silence", "s", "from the last rupture of the event to the end of the window",
-       if_known(has_event, std::optional(end.silence))},
-      {"quiet_time", "s", "time without ruptures after which an event is over", end.quiet_time},
-  };
-}
-
+/// What the window does not show of the event.
 std::string hidden_text(const Front& front, const EventEnd& end) {
   std::string text;
   if (const auto before = front.line.ruptured_before(); before > 0) {
@@ -52,6 +38,7 @@ std::string hidden_text(const Front& front, const EventEnd& end) {
   return text;
 }
 
+/// How far events are apart, where t_R varies much along the interface; else nothing.
 std::string apart_text(const Parameters& p, double quiet) {
   const double shortest = p.t_R.smallest(), longest = p.t_R.largest();
   if (longest < 2.0 * shortest) return "";
@@ -59,6 +46,21 @@ std::string apart_text(const Parameters& p, double quiet) {
       "t_R varies along x, from {:g} to {:g} ms; a pause of {:g} ms separates events (default: 5 "
       "times the median; --quiet-time)\n",
       shortest * 1e3, longest * 1e3, quiet * 1e3);
+}
+
+}  // namespace
+
+Quantities hidden_quantities(const Front& front, const EventEnd& end) {
+  const bool has_event = front.type != FrontType::none;
+  return {
+      {"ruptured_before", "1", "blocks that had ruptured in the event before the window begins",
+       static_cast<std::int64_t>(front.line.ruptured_before())},
+      {"is_over", "", "whether nothing ruptured for quiet_time after the event; null without one",
+       if_known(has_event, end.is_over)},
+      {"silence", "s", "from the last rupture of the event to the end of the window",
+       if_known(has_event, std::optional(end.silence))},
+      {"quiet_time", "s", "time without ruptures after which an event is over", end.quiet_time},
+  };
 }
 
 Quantity type_quantity(const Front& front) {
@@ -113,6 +115,12 @@ std::string front_text(const Front& front, const Parameters& p, const ChosenEven
       fmt::format("type {}: {}\n", front_type_name(front.type), slow_text(front, c_s));
   return fmt::format("{} front; {}{}\n{}{}", kind_name(front), kind_text(front, c_s), others,
                      front.fast_slow_fast == Answer::yes ? type : "", hidden);
+}
+
+std::string events_text(const Parameters& p, const std::vector<Event>& events, double quiet) {
+  const Event &first = events.front(), &last = events.back();
+  return hidden_text(first.front, {}) +
+         hidden_text({}, {last.silence, quiet, last.front.line.is_over}) + apart_text(p, quiet);
 }
 
 }  // namespace rupture::tools

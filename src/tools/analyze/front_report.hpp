@@ -5,11 +5,10 @@
 
 namespace rupture::tools {
 
-/// Quantities that say what the window does not show of the event, and the sentences.
+/// What the window does not show of the event.
 Quantities hidden_quantities(const Front& front, const EventEnd& end);
-/// How far events are apart, where t_R varies much along the interface; else nothing.
-std::string apart_text(const Parameters& p, double quiet);
-std::string hidden_text(const Front& front, const EventEnd& end);
+/// The sentences, of the first and last event in a record.
+std::string events_text(const Parameters& p, const std::vector<Event>& events, double quiet);
 
 Quantity type_quantity(const Front& front);
 /// A slow stretch; null without one.

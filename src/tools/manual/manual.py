@@ -9,6 +9,7 @@ OUTPUT/_rupture for zsh.
 import gzip
 import json
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -128,7 +129,8 @@ def main(programs, output, version):
         "examples": EXAMPLES.read_text(encoding="utf-8").splitlines(),
         "version": version,
     }
-    (output / "man").mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(output / "man", ignore_errors=True)  # of an earlier build, with other tools
+    (output / "man").mkdir(parents=True)
     top = with_defaults(rupture | {"name": "", "commands": tools})
     for tool in [top, *tools, *leaves(tools)]:
         page = f"rupture-{tool['name']}".replace(" ", "-").removesuffix("-")

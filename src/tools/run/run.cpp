@@ -175,7 +175,6 @@ Ending Run::go() {
   const auto begin = steady_clock::now();
   try {
     const Ending ending = observed();
-    clear_progress_line();
     const auto& [in_json, in_text] = kEndings.at(static_cast<std::size_t>(ending));
     summary_.ending = in_json;
     summary_.time = simulation_.time();
@@ -188,7 +187,6 @@ Ending Run::go() {
     announce(summary_.files, output_);
     return ending;
   } catch (...) {
-    clear_progress_line();
     announce(summary_.files, output_);
     if (writer_) writer_->flush();
     throw;
@@ -254,7 +252,7 @@ void say_where_it_begins(const RunPlan& plan) {
 
 /// Runs and writes what the plan says.
 void carry_out(const RunPlan& plan) {
-  note_interruptions();
+  catch_interruptions();
   try_output(plan.options.output.output);
   Run run(plan);
   const bool is_interrupted = run.go() == Ending::interrupted;
