@@ -36,9 +36,9 @@ def test_it_is_saved_and_goes_on(name, number, checksum):
         process.send_signal(number)
         _, said = process.communicate(timeout=120)
         assert process.returncode == -number
-        saved, told = re.fullmatch(
-            r"load: .* saved as (.+); +to continue: (\S+/load .+)\n", said
-        ).groups()
+        found = re.fullmatch(r"load: .* saved as (.+); +to continue: (\S+/load .+)\n", said)
+        assert found, said
+        saved, told = found.groups()
         assert shlex.split(told) == [str(BIN / "load"), "--resume", *words[1:]]
         resumed = run(told, folder.path)
         assert (resumed.returncode, without_notes(resumed.stderr)) == (0, "")
