@@ -39,7 +39,7 @@ def each(cell, names):
 @pytest.mark.parametrize("kind", DATASETS)
 def test_of_the_documentation(kind):
     text = (ROOT / "docs/schema.md").read_text()
-    chapter = re.search(rf"\n### {kind}\n(.+?)\n###? ", text, re.I | re.S)[1]
+    (chapter,) = re.findall(rf"\n### {kind}\n(.+?)\n###? ", text, re.I | re.S)
     said = {}
     for names, *cells in CELLS.findall(chapter):
         names = re.findall("`(.+?)`", names)
