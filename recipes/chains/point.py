@@ -141,8 +141,8 @@ def compute(work, folder):
     absent = [file for file in absent if without_time(file) not in missing]
     if absent and result["status"] == "done":
         result |= {"status": "failed", "sentence": f"no command has written {absent[0]}"}
-    files = sorted(Path(folder).glob("*.h5"))
-    sums = {file.name: output_of("analyze", "checksum", file).strip() for file in files}
+    written = sorted(Path(folder).glob("*.h5"))
+    sums = {file.name: output_of("analyze", "checksum", file).strip() for file in written}
     return result | {"checksums": sums}
 
 

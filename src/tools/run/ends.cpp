@@ -1,6 +1,7 @@
 #include "run/ends.hpp"
 
 #include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "cli/command_line.hpp"
 #include "rupture/checkpoint/record.hpp"
+#include "rupture/model/state.hpp"
 
 namespace rupture::tools {
 
