@@ -225,14 +225,25 @@ def test_a_wider_phi_concerns_ruptures_after_the_branch_however_they_are_measure
     assert figS4.commands.beginning(of, "50 % pinned")["largest difference [ms]"] == approx(0.01)
 
 
+BEGINS: list[list[float]] = [[2.0, 0.1, 0.5, 0.6], [0.3], [0.2, 0.9], [2.0]]  # 2: not such an event
+
+
+def test_a_block_is_slow_by_the_limit_of_each_way():
+    """At c_s/15, block 1 is slow below c_s/10 and fast above c_s/20."""
+    front = Report(x=[0.03, 0.04, 0.05], v_c=[1 / 15, 1 / 25, 1.0], c_s=1.0)
+    ways = {PRIMARY: 1 / 20, "slow below c_s/10": 1 / 10}
+    fronts = {way: Report(front, criteria=Report(slow_below=limit)) for way, limit in ways.items()}
+    of = SimpleNamespace(fronts=fronts, strength=Report(tau_bar_0=[0.1, 0.3, 0.5]))
+    found = [fig4.commands.stress(of, way)["slow minus fast"] for way in ways]
+    assert found == approx([0.3 - 0.3, 0.2 - 0.5])
+
+
 def test_first_events_are_one_of_each_run_and_all_others_are_later():
     def words(begin):
         stretch = Report(x_from=begin * L, x_to=L, slowest=9.0, fast_before=300.0, duration=1e-3)
         return Report(fast_slow_fast=begin < 1, in_words=stretch, L=L, c_s=968.0)
 
-    runs = [
-        {PRIMARY: [words(x) for x in of]} for of in ([2, 0.1, 0.5, 0.6], [0.3], [0.2, 0.9], [2])
-    ]
+    runs = [{PRIMARY: [words(x) for x in of]} for of in BEGINS]
     found = fig2.commands.first_event(runs, PRIMARY)
     assert found["begin [L]"] == approx(0.2) and found["later events: begin [L]"] == approx(0.6)
     assert found["runs with such an event"] == 3
