@@ -24,13 +24,14 @@ from pathlib import Path
 
 from rupture.commands.identity import Command, Made, Measurement, Refused
 from rupture.commands.machine import programs_at_a_time
+from rupture.commands.folder import complain
 from rupture.commands.holdings import Scope
 from rupture.commands.making import Making, Unknown, Untold
 from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
 from rupture.commands.script import script_of
-from rupture.commands.store import Onlooker, Report, Store, complain
+from rupture.commands.store import Onlooker, Report, Store
 from rupture.replacing import ENDING
 
 __all__ = ["Made", "Refused", "Report", "Unknown"]

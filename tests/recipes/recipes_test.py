@@ -15,6 +15,7 @@ import pytest
 from claims.table import table
 from conftest import BIN, ROOT, run
 from fixture import png
+from report.written import seal
 from stand_ins import WITHIN, Project, wait_for
 
 FILES = {
@@ -203,8 +204,14 @@ def test_what_changes_during_a_run_is_computed_by_the_next_call(tiny):
 
 
 def test_dates_and_the_folder_do_not_count(crashed, tmp_path):
-    other = crashed[0].copied(tmp_path / "copy of it", copy_function=shutil.copy)
+    without = {"copy_function": shutil.copy, "ignore": shutil.ignore_patterns(".*")}
+    other = crashed[0].copied(tmp_path / "copy of it", **without)
     assert other.computed() == [] and other.runs() == 2
+
+
+def huge(path):
+    path.touch()
+    os.truncate(path, 2**40)
 
 
 @pytest.mark.parametrize("name", ["tiny.png", "claims.json", "commands.sh"])
@@ -213,8 +220,15 @@ def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
     before = path.read_bytes()
     path.write_text("{")
     assert tiny.computed() == ["tiny"] and path.read_bytes() == before
-    path.unlink()
-    assert tiny.computed() == ["tiny"] and path.read_bytes() == before
+    assert f"{name} is gone, or not as it was written: tiny is made again" in tiny.said
+    for plant in (
+        lambda _: None,
+        os.mkfifo,
+        lambda path: os.truncate(path.open("w").name, 2**40),
+    ):
+        path.unlink()
+        plant(path)
+        assert tiny.computed() == ["tiny"] and path.read_bytes() == before
 
 
 def test_what_starts_from_another_file_is_computed_again(tiny):
@@ -266,6 +280,17 @@ def test_others_files_are_not_replaced_and_ours_go_with_what_wrote_them(tiny):
     done = tiny.call(*WORDS)
     assert done.returncode == 1 and "results/tiny/mine.csv is not in results/" in done.stderr
     assert theirs.read_text() == "mine"
+
+
+def test_a_folder_of_others_is_left_alone(tiny):
+    shutil.rmtree(tiny.root / "results")
+    theirs = tiny.write("results/tiny/claims.json", "mine")
+    for words in (WORDS, ("report",), (*WORDS, "--dry-run")):
+        done = tiny.call(*words)
+        assert (done.returncode, done.stderr.count("\n")) == (1, 1)
+        assert "results has other files, and no rupture-results to say" in done.stderr
+    assert "results/tiny/claims.json" in tiny.call("clean").stdout
+    assert theirs.read_text() == "mine" and os.listdir(tiny.root / "results") == ["tiny"]
 
 
 DRY = """# tiny
@@ -368,6 +393,7 @@ def test_another_paper_has_its_own_results_claims_and_page_which_clean_deletes(t
     assert tiny.computed() == []  # the other `tiny` is current
     for path in (tiny.root / "results").rglob("tiny.png"):
         path.write_bytes(png(2, 2))
+        seal(tiny.root / "results", path)
     done = tiny.call("report")
     pages = [tiny.root / f"results/{paper}/index.html" for paper in (".", "other")]
     first, other = (page.read_text() for page in pages)

@@ -5,10 +5,11 @@ import shutil
 import threading
 import time
 
+from rupture.commands.folder import complain
 from rupture.commands.holdings import Holdings, Scope
 from rupture.commands.identity import Made, Refused
 from rupture.commands.pool import Stopped
-from rupture.commands.store import complain, writing
+from rupture.commands.store import writing
 from rupture.errors import Failure
 
 
