@@ -22,7 +22,7 @@ from pathlib import Path
 
 from chains.store import digest_file, is_current, make_spare, origin_of, read, result_of
 from chains.store import save_origin, tools_of, write_if_changed
-from rupture.commands.code import RUNS
+from rupture.commands.code import WRITERS
 from rupture.replacing import write_whole
 from report.written import append_to
 
@@ -32,9 +32,9 @@ JOBS = Path("results/jobs.jsonl")
 USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request cannot be met
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 UNFINISHED = "unfinished"
-PROGRAMS = ("analyze", *RUNS)
+PROGRAMS = ("analyze", *WRITERS)
 # What nobody types: how a command says what it found, and that FILE.sum has a file's checksum.
-SAID = {"analyze": ["--json"], **dict.fromkeys(RUNS, ["--quiet", "--sum"])}
+SAID = {"analyze": ["--json"], **dict.fromkeys(WRITERS, ["--quiet", "--sum"])}
 
 
 # --- one command -------------------------------------------------------------------------------

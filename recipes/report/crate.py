@@ -20,9 +20,9 @@ from claims.claim import CLAIMS
 from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
-from measure.tables import read_table
+from measure.tables import read_rows
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.origin import RUNS, noted
+from report.machine import RUNS, noted
 from report.written import intact, is_intact, leave_out, seal, take, written
 from rupture.commands.folder import read_own, sha256_of
 from rupture.commands.store import place_of
@@ -76,7 +76,7 @@ def article(paper):
 
 
 def software():
-    """With its licence and the paper, from CITATION.cff."""
+    """Rupture itself with its licence and the paper, from CITATION.cff."""
     cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
     licence = entity(
         f"https://spdx.org/licenses/{cited['license']}",
@@ -147,18 +147,18 @@ def described(root, name):
 
 
 def jobs_behind(results, name, paths):
-    """Of a recipe, or of a user's sweep, whose points note theirs in one file."""
+    """The jobs of a recipe, or of a user's sweep, whose points note theirs in one file."""
     folder = results / name
     table = folder / f"{folder.name}.csv"
     if not name.startswith("sweeps/"):
         return read_jobs(folder)
-    points = {*read_table(table)["point"]} if table in paths else set()
+    points = {row["point"] for row in read_rows(table)} if table in paths else set()
     jobs = noted(results / JOBS, {"output": [str], "": object})
     return [job for job in jobs if points & {Path(one).stem for one in job["output"][:1]}]
 
 
 def checkpoints_of(results, jobs):
-    """Those that the store keeps, and records, by the checksums of their content."""
+    """The checkpoints and records that the store keeps, by the checksums of their content."""
     places = ((results / "store" / place_of(own, name), sum) for own, name, sum in files_of(jobs))
     return [
         file_entity(results, path, identifier=f"content-sha256:{checksum}")

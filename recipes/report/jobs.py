@@ -6,7 +6,7 @@ import re
 from collections import Counter
 
 from claims.recipes import RECIPES
-from report.origin import is_moment
+from report.machine import is_moment
 from rupture.commands.folder import fits, parsed, read_own
 from rupture.commands.identity import PLAIN, Made
 from rupture.commands.script import with_sources

@@ -10,7 +10,7 @@ from pathlib import Path
 from claims.print_claims import print_claims
 from claims.recipes import recipe_names
 from claims.table import samples_from
-from report.origin import RUNS, runs_of
+from report.machine import RUNS, runs_of
 from report.written import check, hold, is_intact, refuse_others, seal, take, written
 from reproduce.place import place_of
 from reproduce.project import BESIDE_ALL, RESULTS, ROOT, SHARE, STORE, complain

@@ -15,7 +15,7 @@ from chains.picture import as_typed, cells, draw, draw_line, edges, label_of, mi
 from chains.sweeps import Sweep
 from chains.table import Column, columns_of, elements_of, measured
 from chains.table import print_summary, write_csv, write_hdf5
-from measure.tables import read_table
+from measure.tables import read_rows
 from rupture.figures import figure, save
 
 # --- tables -----------------------------------------------------------------------------------
@@ -31,7 +31,8 @@ COLUMNS = [
 
 def test_hdf5_has_what_the_csv_has_and_is_written_whole_or_not_at_all(tmp_path):
     write_csv(tmp_path / "t.csv", COLUMNS)
-    table = read_table(tmp_path / "t.csv")
+    rows = read_rows(tmp_path / "t.csv")
+    table = {name: [row[name] for row in rows] for name in rows[0]}
     assert list(table) == ["driving.V [m/s]", "seed", "speed of σ [m/s]", "spanning", "sentence"]
     assert [*table["speed of σ [m/s]"]] == ["0.30000000000000004", "", "12"]
     assert [*table["spanning"]] == ["true", "", "false"]

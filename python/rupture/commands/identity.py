@@ -6,7 +6,7 @@ import re
 import shlex
 from pathlib import Path
 
-from rupture.commands.code import OURS, RUNS, build_at, digest, digest_at
+from rupture.commands.code import OURS, WRITERS, build_at, digest, digest_at
 from rupture.commands.code import digest_of_function, digest_of_program, path_of, stamp_of
 from rupture.errors import Failure, MachineFailure, NoSuchName, UsageError, is_of_machine
 
@@ -14,7 +14,10 @@ TOKEN = re.compile(r"@([0-9a-f]{16})/([\w.+-]+)")  # a made file in a command
 OUTPUTS = ("-o", "--output", "--record")
 PLAIN = re.compile(r"\w[\w.+-]*")
 AT_TIME = re.compile(r"-t\d+\.\d{9}(?=\.\w+$)")  # of a checkpoint during a run
-SAID = {"analyze": ["--json"], **dict.fromkeys(RUNS, ["--quiet", "--json"])}  # which nobody types
+SAID = {
+    "analyze": ["--json"],
+    **dict.fromkeys(WRITERS, ["--quiet", "--json"]),
+}  # which nobody types
 
 
 class Refused(Failure):
@@ -126,7 +129,7 @@ class Command(Work):
         return build_at(path, stamp_of(path))
 
     def done_in(self, folder, executor):
-        """Its result in a folder with its inputs. Raises Failure if there is none."""
+        """The result in a folder with its inputs. Raises Failure if there is none."""
         said = SAID.get(self.program, [])
         words = [path_of(self.program), *self.words[1:], *(w for w in said if w not in self.words)]
         try:
