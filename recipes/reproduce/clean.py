@@ -7,8 +7,7 @@ from pathlib import Path
 
 from reproduce.project import READ, ROOT, WORK, say
 from reproduce.unneeded import clean_unneeded
-from report.written import FORMER as FORMER_LIST
-from report.written import MARKER, is_below, written
+from report.written import FORMER, MARKER, is_below, written
 from rupture.commands import store
 from rupture.commands.folder import read_own
 
@@ -17,7 +16,6 @@ RESULTS = HOME / "results"
 STORE = RESULTS / "store"
 OWN = HOME / ROOT.relative_to(WORK) if WORK else ROOT  # has build/
 BUILD = OWN / "build"
-FORMER = OWN / ".snakemake"  # of version 0.4, whose list of files is the same
 NAMED = 20  # of the files that are left
 
 
@@ -27,8 +25,8 @@ def own_files():
     if MARKER.is_in(RESULTS):
         names = [*written(RESULTS), MARKER.name]
     else:
-        former = read_or(RESULTS / FORMER_LIST).splitlines()
-        names = [*filter(is_below, former), *([FORMER_LIST] if former else [])]
+        former = read_or(RESULTS / FORMER).splitlines()
+        names = [*filter(is_below, former), *([FORMER] if former else [])]
     listed = [RESULTS / name for name in names]
     return [*filter(is_here, listed)]
 
@@ -50,7 +48,7 @@ def own_folders():
     name = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"  # wherever the sources were at that time
     caches = [*BUILD.glob("CMakeCache.txt"), *BUILD.glob("*/CMakeCache.txt")]
     builds = [one.parent for one in caches if name in read_or(one)]
-    found = [FORMER, BUILD / "log", BUILD / "cache", *builds]
+    found = [BUILD / "log", BUILD / "cache", *builds]
     return [one for one in found if is_here(one) and one.is_dir()]
 
 
@@ -117,7 +115,7 @@ def clean_all():
         with suppress(OSError):
             if HOME in folder.parents:
                 folder.rmdir()
-    places = (RESULTS, OWN) if WORK else (RESULTS, FORMER, BUILD)
+    places = (RESULTS, OWN) if WORK else (RESULTS, BUILD)
     left = [path for place in places for path in left_in(place)]
     say(f"Deleted {', '.join(deleted)}." if deleted else "Nothing was deleted.")
     if left:

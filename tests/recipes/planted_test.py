@@ -104,21 +104,6 @@ def test_a_report_leaves_out_what_was_planted(copied, shape, tmp_path):
     assert outside.read_text() == SECRET
 
 
-@pytest.mark.parametrize("shape", [name for name in SHAPES if name[:4] in ("pipe", "fold", "link")])
-def test_what_cannot_be_replaced_is_refused(copied, shape, tmp_path):
-    spill(outside := tmp_path / "outside", SECRET)
-    for name in NAMES[6:]:
-        before = (copied.results / name).read_bytes()
-        plant(copied.results / name, shape, outside)
-        done = copied.report()
-        if shape != "pipe":
-            assert (done.returncode, done.stderr.count("\n")) == (1, 1)
-            assert f"{name} is not in" in done.stderr
-            delete(copied.results / name)
-            spill(copied.results / name, before)
-    assert outside.read_text() == SECRET
-
-
 PLANTED = (
     [  # what ./reproduce.sh finds, its shape, the exit codes of `report` and `clean`, a sentence
         ("results", "empty", 1, 0, "results"),

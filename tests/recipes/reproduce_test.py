@@ -131,7 +131,7 @@ CACHE = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"
 
 def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     root = project.root
-    for name in "disk/a results/a results/x/y results/mine mine .snakemake/z build/other/o".split():
+    for name in "disk/a results/a results/x/y results/mine mine build/other/o".split():
         project.write(name)
     project.write("build/release/CMakeCache.txt", CACHE)
     for name in ("results/empty", "build/empty"):
@@ -141,12 +141,12 @@ def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     listed = "a x/y disk/a link ../mine /etc/hostname"
     project.write(LIST, f"{FIRST}{ours(listed)}-  \n-  .\nbut this was not writ")
     deleted, _, *left = project.call("clean").stdout.splitlines()
-    assert deleted == "Deleted 2 files in results/, .snakemake/, build/release/."
+    assert deleted == "Deleted 2 files in results/, build/release/."
     kept = ["results/disk -> ../disk", "results/link -> ../mine", "results/mine"]
     assert left == [f"  {name}" for name in (*kept, "build/other/o")]
     for name in ("disk/a", "mine", *(one.split()[0] for one in kept)):
         assert (root / name).exists()
-    assert not (root / "results/x").exists() and not (root / ".snakemake").exists()
+    assert not (root / "results/x").exists()
     assert (root / "results/empty").exists() and (root / "build/empty").exists()
 
 
