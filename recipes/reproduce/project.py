@@ -15,7 +15,6 @@ RESULTS = Path("results")
 STORE = RESULTS / "store"  # may be a link
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
-PROFILES = Path("recipes/reproduce")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take long.
 BESIDE_ALL = ("barrier", "choices", "convergence", "speeds")

@@ -13,14 +13,13 @@ from chains.table import preview, report_sweep
 from reproduce.compute import prepare, write_crate
 from reproduce.project import PROGRAMS, ROOT
 from report.written import seal, written
+from rupture.commands.machine import usable_megabytes
 from rupture.errors import Failure
 
-TRIES = 3  # in an allocation, where a node may be lost
 
-
-def run_ninja(processes, place, own, file):
+def run_ninja(processes, cores, own, file):
     """Makes its points by a plan, which Ninja may write again."""
-    wanted = {"file": file, "cores": place.cores, "megabytes": place.megabytes}
+    wanted = {"file": file, "cores": cores, "megabytes": usable_megabytes()}
     try:
         plan = write_plan(**wanted, own=own)
     except OSError as error:
@@ -28,20 +27,17 @@ def run_ninja(processes, place, own, file):
     if not shutil.which("ninja"):
         raise Failure("there is no program ninja on the PATH; packages.txt names its package")
     os.environ |= {"RUPTURE_PLAN": json.dumps(wanted), "RUPTURE_PYTHON": sys.executable}
-    os.environ |= {"RUPTURE_STEP": str(place.step or "sh"), "NINJA_STATUS": STATUS}
-    ninja = ["ninja", "-f", plan, "-j", place.cores, "-k", 0]
-    for _ in range(TRIES if place.step else 1):
-        try:
-            code = processes.run(ninja, follow)
-        finally:
-            put_back()
-        if not code:
-            break
+    os.environ |= {"RUPTURE_STEP": "sh", "NINJA_STATUS": STATUS}
+    ninja = ["ninja", "-f", plan, "-j", cores, "-k", 0]
+    try:
+        processes.run(ninja, follow)
+    finally:
+        put_back()
 
 
 def run_sweep(request, processes):
     """Writes the table even if points could not be computed; it states which, and why."""
-    place = prepare(request, processes)
+    prepare(request, processes)
     own = OwnSweep(request.file)
     if request.dry_run:
         preview(own, request.programs or PROGRAMS)
@@ -50,7 +46,7 @@ def run_sweep(request, processes):
         put_back()  # of a run that was killed
     own.write()
     there, count = {*STORE.glob("*.json")}, len(own.missing())
-    run_ninja(processes, place, own, str(request.file))
+    run_ninja(processes, request.cores, own, str(request.file))
     if own.points is None:
         own = OwnSweep(request.file)
         if own.points is None:

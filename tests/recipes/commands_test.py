@@ -90,7 +90,7 @@ def lines_of_recipes(folder):
         patch.setattr(maps.Interfaces, "edge", lambda self, *_: self.kinds(1))
         patch.setattr(Sampling, "is_whole", True)
         patch.setattr("shutil.which", lambda name: name)  # LAMMPS
-        works = once.use(store=folder, cores=1).holdings.works
+        works = once.use(store=folder, cores=1).works
         ask_all()
         lines = {work.line for work in works.values()}
         once.finish()

@@ -162,6 +162,17 @@ def test_commands_are_noted_for_the_report_and_the_crate(crashed):
     assert "#run-tiny" in {each["@id"] for each in crate["@graph"]}
 
 
+def test_a_mistake_in_one_figure_does_not_end_others(tiny):
+    shutil.copytree(tiny.root / "recipes/tiny", tiny.root / "recipes/wrong")
+    tiny.replace("recipes/wrong/figure.py", "    shipped()", "    1 / 0")
+    tiny.replace("recipes/tiny/figure.py", " N", " kN")
+    done = tiny.call("wrong", *WORDS)
+    assert done.returncode == 1 and "2 of 2: tiny" in done.stdout
+    sentence = "wrong: a mistake in its code, ZeroDivisionError('division by zero'): build/log/"
+    assert sentence in done.stderr and "Traceback" not in done.stderr
+    assert "in make\n    1 / 0\n" in (tiny.root / "build/log/mistakes.log").read_text()
+
+
 STRESS, TWICE, PREPARED = "analyze stress", "twice start.h5", "prepare --tau-bar"
 CHANGES = [  # in a file, what is replaced by what, and what follows
     ("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1, 0.2, 0.3)", [PREPARED, STRESS, TWICE]),
@@ -290,12 +301,19 @@ rupture prepare --tau-bar 0.1 -o start.h5
 rupture analyze stress start.h5
 # in Python: tiny.measure.twice start.h5
 """
+WAITS = DRY.replace(
+    DRY.splitlines(True)[-1],
+    """# runs: 1 of 1 points wait for what a report will say
+# More commands follow from reports that nobody has made yet.
+""",
+)
 
 
 def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
     assert tiny.call(*WORDS, "--dry-run").stdout == "# tiny\n"
     shutil.rmtree(tiny.root / "results")
     tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1,)")
+    assert tiny.call(*WORDS, "--dry-run").stdout == WAITS
     tiny.replace("recipes/tiny/commands.py", ".F_T, measured", ", measured")
     done = tiny.call(*WORDS, "--dry-run")
     assert (done.returncode, done.stdout, done.stderr) == (0, DRY, "")
