@@ -16,7 +16,6 @@ import conftest
 from conftest import BUILD, skip
 
 FAULTS = BUILD / "tests/libfaults.so"
-LONG = "RUPTURE_CRASH_LONG" in os.environ
 if not FAULTS.exists():
     skip(f"{FAULTS} is not built")
 MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # quicker than a disk
@@ -133,7 +132,6 @@ def scenarios():
         made("load over older files, without sums", f"{LOAD} --force", older),
         made("load resumed", f"{load} --resume", killed_late(empty)),
         made("prepare over older files", prepare, prepared),
-        made("modify-phi into an empty place", "modify-phi a.h5 -o b.h5 --force --sum", begin),
     ]
 
 

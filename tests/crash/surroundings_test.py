@@ -15,7 +15,6 @@ from scenario import (
     FAULTS,
     INPUTS,
     LOAD,
-    LONG,
     PREPARE,
     Folder,
     case,
@@ -26,7 +25,7 @@ from scenario import (
 )
 
 CONTAINERS = ["unshare", "--pid", "--fork"]  # both processes have the number 1
-PAIRS = 120 if LONG else 10
+PAIRS = 10
 LONGER = LOAD.replace("4e-4", "1e-3 --set driving.V=0.01") + " --sum"
 
 

@@ -115,7 +115,6 @@ class Tiny(Project):
         """What a call does that succeeds: words of its commands, and "tiny" if it draws."""
         before, done = self.results(), self.call(*WORDS)
         assert done.returncode == 0, done.stderr + done.stdout
-        self.said = done.stdout + done.stderr
         drawn = re.findall(r"^\[.*\] \d+ of \d+: (\S+)", done.stdout, re.MULTILINE)
         assert (NOTHING in done.stdout) == (not drawn), done.stdout
         new = (
@@ -177,11 +176,9 @@ STRESS, TWICE, PREPARED = "analyze stress", "twice start.h5", "prepare --tau-bar
 CHANGES = [  # in a file, what is replaced by what, and what follows
     ("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1, 0.2, 0.3)", [PREPARED, STRESS, TWICE]),
     ("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1,)", []),
-    ("recipes/tiny/measure.py", "2 *", "3 *", [TWICE] * 2),
     ("recipes/tiny/figure.py", " N", " kN", []),
     ("recipes/claims/claim.py", "\n\n", "\n\nX = 1\n", []),
     ("recipes/claims.toml", "]\n", ']\nX = "1"\n', []),
-    ("bin/prepare", "exec", ": ; exec", [PREPARED, STRESS, TWICE] * 2),
 ]
 
 
@@ -214,7 +211,7 @@ def test_what_changes_during_a_run_is_computed_by_the_next_call(tiny):
     assert tiny.computed() == ["tiny"]
 
 
-def test_dates_and_the_folder_do_not_count(crashed, tmp_path):
+def test_a_copy_without_hidden_files_is_whole(crashed, tmp_path):
     without = {"copy_function": shutil.copy, "ignore": shutil.ignore_patterns(".*")}
     other = crashed[0].copied(tmp_path / "copy of it", **without)
     assert other.computed() == [] and other.runs() == 2
@@ -231,18 +228,6 @@ def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
         path.unlink()
         subprocess.run([*of_others.split(), path], check=True)
         assert tiny.computed() == ["tiny"] and path.read_bytes() == before
-
-
-def test_what_starts_from_another_file_is_computed_again(tiny):
-    shutil.copyfile(ROOT / "checkpoints/second-slow.h5", tiny.root / "checkpoints/fast-only.h5")
-    assert tiny.computed() == ["analyze phi", "tiny"]
-
-
-def test_a_refusal_is_a_result_and_its_sentence_is_said(tiny):
-    tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1, 9)")
-    assert tiny.computed() == ["prepare --tau-bar", "tiny"]
-    assert re.search("runs: 1 of 2 refused: prepare: .*tau", tiny.said)
-    assert tiny.computed() == []
 
 
 LINKED = ("tiny", "runs.jsonl", "store/ab")
@@ -341,8 +326,7 @@ def test_the_commands_behind_it_give_the_same_files_by_hand(tiny):
 # --- interrupted -------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
-def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny, name, code):
+def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny):
     tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.3, 0.4, 0.5)")
     tiny.write("bin/wait")
     process = tiny.start(*WORDS)
@@ -351,8 +335,8 @@ def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny, name, co
     second = tiny.call(*WORDS)
     assert (second.returncode, second.stderr.count("\n")) == (1, 1)
     assert "another ./reproduce.sh is running in this folder; wait until" in second.stderr
-    process.send_signal(signal.Signals[name])
-    assert process.wait(WITHIN) == code
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(WITHIN) == 143
     assert process.stderr.read().endswith("and the same call goes on from there\n")
     wait_for(lambda: not any(Path(f"/proc/{n}").exists() for n in running.read_text().split()))
     assert "run it first" in tiny.call("clean", "--unneeded").stderr

@@ -18,8 +18,9 @@ standard output, lines: N their number, or something about JSON, as in expect_js
 is the head of CSV, whose lines have as many cells. Lines of the other stream are marked stdout:
 or stderr:. Without --force or --resume no file changed, behind 0= none at all; with 1+ files
 came although the command failed. In front of a command may stand [disk=BYTES], [stdout=FILE],
-[memory=GIB] and [nobody]: not as root; [nobody=else]: and not as this user either. The command
-rebuilt FILE demands that the commands of its lineage make it from nothing.
+[memory=GIB] and [nobody]: not as root; [nobody=else]: and not as this user either. Before COMMAND
+<- CHANGE, x.h5 becomes good.h5 with this change, as changes.py says it. The command rebuilt FILE
+demands that the commands of its lineage make it from nothing.
 """
 
 import glob
@@ -234,6 +235,15 @@ def options_in(command):
     return command[found.end() :], {name: kinds[name](value or "yes")}
 
 
+def spoil(line):
+    path = Path("x.h5")
+    if path.is_dir():
+        path.rmdir()
+    path.unlink(missing_ok=True)
+    shutil.copyfile("good.h5", path)
+    change(path, line)
+
+
 def expect_command(step, command, chosen, first):
     if command.startswith("rebuilt "):
         return expect_rebuilt(command[8:])
@@ -242,6 +252,9 @@ def expect_command(step, command, chosen, first):
         pytest.skip("AddressSanitizer needs more memory")
     if options.get("nobody") == "else" and os.geteuid():
         pytest.skip("only root can be two users")
+    command, _, made = command.partition(" <- ")
+    if made:
+        spoil(made)
     words, before = words_of(command), files()
     done = run(words, **options)
     assert done.code == int(step.exit.rstrip("=>+")), (command, done.err)
