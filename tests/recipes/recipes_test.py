@@ -114,6 +114,7 @@ class Tiny(Project):
     def computed(self):
         """What a call does that succeeds: words of its commands, and "tiny" if it draws."""
         before, done = self.results(), self.call(*WORDS)
+        self.said = done.stderr
         assert done.returncode == 0, done.stderr + done.stdout
         drawn = re.findall(r"^\[.*\] \d+ of \d+: (\S+)", done.stdout, re.MULTILINE)
         assert (NOTHING in done.stdout) == (not drawn), done.stdout
