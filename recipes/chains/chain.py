@@ -178,7 +178,7 @@ class Chain:
 
 
 def copy_of(base):
-    """Copies the file from which points start, with its .sum."""
+    """Copies the file from which points start."""
     try:
         checksum = output_of("analyze", "checksum", base).strip()
     except Failure as failure:
@@ -189,7 +189,6 @@ def copy_of(base):
         raise UsageError(f"the base {base} is a record; runs continue from checkpoints")
     copy = RESULTS / "data/bases" / f"{checksum[:16]}.h5"
     write_own(copy, content)
-    write_own(Path(f"{copy}.sum"), f"content-sha256 {checksum}  {copy.name}\n".encode())
     return copy
 
 

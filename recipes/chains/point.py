@@ -23,6 +23,7 @@ from pathlib import Path
 from chains.store import digest_file, is_current, make_spare, origin_of, read, result_of
 from chains.store import save_origin, tools_of, write_if_changed
 from rupture.commands.code import WRITERS
+from rupture.programs import output_of
 from rupture.replacing import write_whole
 from report.written import append_to
 
@@ -33,8 +34,8 @@ USER_ERRORS = (1, 2)  # exit codes with which a tool says that the request canno
 INTERRUPTIONS = (signal.SIGINT, signal.SIGTERM)
 UNFINISHED = "unfinished"
 PROGRAMS = ("analyze", *WRITERS)
-# What nobody types: how a command says what it found, and that FILE.sum has a file's checksum.
-SAID = {"analyze": ["--json"], **dict.fromkeys(WRITERS, ["--quiet", "--sum"])}
+# What nobody types: how a command says what it found.
+SAID = {"analyze": ["--json"], **dict.fromkeys(WRITERS, ["--quiet"])}
 
 
 # --- one command -------------------------------------------------------------------------------
@@ -140,8 +141,9 @@ def compute(work, folder):
     absent = [file for file in absent if without_time(file) not in missing]
     if absent and result["status"] == "done":
         result |= {"status": "failed", "sentence": f"no command has written {absent[0]}"}
-    sums = [path.read_text().split() for path in sorted(Path(folder).glob("*.sum"))]
-    return result | {"checksums": {name: checksum for *_, checksum, name in sums}}
+    written = sorted(Path(folder).glob("*.h5"))
+    sums = {file.name: output_of("analyze", "checksum", file).strip() for file in written}
+    return result | {"checksums": sums}
 
 
 def keep(path, result, names, folder):

@@ -22,7 +22,7 @@ from claims.samples import Sampling
 from conftest import ROOT, approx, run
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
-FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
+FILES = ("--force", "--quiet", "--json", "-o", "--record", "--record-every")
 # A recipe may also ask for checkpoints and crossings for later steps, name the only event of a
 # record, and measure in other ways, too.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings", "--also")

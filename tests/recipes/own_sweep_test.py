@@ -120,9 +120,7 @@ def test_points_follow_the_content_of_the_base_which_is_copied(plan):
     (copy,) = Path("results/data/bases").glob("*.h5")
     command = first[0].commands["restart"]
     assert command.startswith(f"restart {copy} --set driving.V=0.1mm/s --seed 1 --for 0.01")
-    checksum = run("analyze", "checksum", copy).stdout.strip()
-    assert Path(f"{copy}.sum").read_text() == f"content-sha256 {checksum}  {copy.name}\n"
-    assert checksum.startswith(copy.stem)
+    assert run("analyze", "checksum", copy).stdout.startswith(copy.stem)
     shutil.move("base.h5", "b.h5")
     again = plan(BASED.replace("base.h5", "b.h5")).points
     assert [point.id for point in again] == [point.id for point in first]
