@@ -12,6 +12,7 @@ from chains.sweeps import OwnSweep
 from chains.table import preview, report_sweep
 from reproduce.compute import prepare, write_crate
 from reproduce.project import PROGRAMS, ROOT
+from report.written import seal, written
 from rupture.commands.machine import usable_megabytes
 from rupture.errors import Failure
 
@@ -53,5 +54,7 @@ def run_sweep(request, processes):
         own.write()
         count = len([point for point in own.points if point.path not in there])
     code = report_sweep(own.sweep, count)
+    ours = [path for path in map(RESULTS.joinpath, written(RESULTS)) if path.is_file()]
+    seal(RESULTS, *(path for path in ours if path.parent == own.stem.parent))
     write_crate(processes)
     return code
