@@ -20,9 +20,7 @@ import yaml
 from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
-from measure.tables import read_table
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.origin import noted
 from report.written import take
 from rupture.commands.store import place_of
 from rupture.errors import Failure
@@ -41,7 +39,7 @@ WITH_TIMES = {
     "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
     JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
-OF_THE_RUN = ("index.html", "runs.jsonl", JOBS, "numbers.csv", "claims.pdf", "claims.png")
+OF_THE_RUN = ("index.html", "runs.jsonl", "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):
@@ -142,16 +140,6 @@ def described(root, name):
     return title, "\n".join(lines), f"./reproduce.sh sweep {stem}.ini"
 
 
-def jobs_behind(results, name):
-    """Of a recipe, or of a user's sweep, whose points note theirs in one file."""
-    folder = results / name
-    table = folder / f"{folder.name}.csv"
-    if not name.startswith("sweeps/"):
-        return read_jobs(folder)
-    points = {*read_table(table)["point"]} if table.exists() else ()
-    return [job for job in noted(results / JOBS) if Path(job["output"][0]).stem in points]
-
-
 def checkpoints_of(results, jobs):
     """Those that the store keeps, and records, by the checksums of their content."""
     places = ((results / "store" / place_of(own, name), sum) for own, name, sum in files_of(jobs))
@@ -169,7 +157,7 @@ def run_of(root, name, source, built):
     title, commands, typed = described(root, name)
     paths = sorted(path for path in (results / name).glob("[!.]*") if path.is_file())
     files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
-    jobs = jobs_behind(results, name)
+    jobs = read_jobs(results / name)
     programs = [
         built.setdefault(text, program(len(built) + 1, text)) for text, _ in sorted(builds_of(jobs))
     ]

@@ -8,11 +8,10 @@ from pathlib import Path
 
 from rupture.errors import UsageError
 from rupture.tools import command_line
-from rupture.tools.command_line import DEFAULT, whole_number
+from rupture.tools.command_line import DEFAULT, suggestion, whole_number
 from claims.recipes import read_readme, recipe_names
 from rupture.commands.machine import usable_cores
 from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
-from chains.ini import suggestion
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (

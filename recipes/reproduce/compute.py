@@ -31,9 +31,6 @@ def prepare(request, processes):
         if Path(at) == RESULTS and STORE.name in folders:
             folders.remove(STORE.name)  # it looks after itself
         refuse_links(Path(at, folder) for folder in folders)
-    of_chains = [RESULTS / "data" / name for name in ("points", "digests", "spare")]
-    of_chains += RESULTS.glob("sweeps/*/plan")
-    refuse_links(path for folder in of_chains if folder.exists() for path in os.scandir(folder))
     page = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
     ours = ("ro-crate-metadata.json", *(page if request.command == "all" else ()))
     refuse_others(RESULTS, *(RESULTS / name for name in ours))  # before hours of computing
@@ -137,7 +134,7 @@ def is_current(path):
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
     texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
     of_recipes = (RESULTS / name for name in recipe_names(SHARE))
-    shown = [RESULTS / "jobs.jsonl", *(one for at in of_recipes for one in at.glob("*.json*"))]
+    shown = [*RESULTS.glob("sweeps/*/*.json*"), *(one for at in of_recipes for one in at.glob("*.json*"))]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
 

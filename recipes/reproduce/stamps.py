@@ -32,10 +32,15 @@ def described(paths, store):
 def code_of(recipe, store):
     """Take it before the code is imported: it may change meanwhile."""
     own = sorted((RECIPES / recipe).glob("*.py"))
-    modules = modules_behind([*own, *map(RECIPES.joinpath, JUDGES)], store)
-    programs = [path_of(name) for name in OURS if name not in DRAWING]
     claims = RECIPES / paper_of(recipe) / "claims.toml"
-    return described([*modules, *programs, *filter(Path.exists, [claims])], store)
+    others = described(filter(Path.exists, [claims]), store)
+    return code_behind([*own, *map(RECIPES.joinpath, JUDGES)], store) | others
+
+
+def code_behind(modules, store):
+    """These, what they import of ours, and the programs."""
+    programs = [path_of(name) for name in OURS if name not in DRAWING]
+    return described([*modules_behind(modules, store), *programs], store)
 
 
 def save(recipe, files, lacks, store):

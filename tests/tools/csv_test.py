@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from chains.values import rows_in
 from commands import json_of, output_of, refuses
 from rupture.errors import UsageError
+from sweeps.values import rows_in
 
 LINE = re.compile(r'(\w+) (?:(\d+) )?(".*")')
 CASES = LINE.findall(Path(__file__).with_name("csv.txt").read_text(encoding="utf-8"))
@@ -24,7 +24,7 @@ def test_both_readers(small_ini, line, text):
             rows_in("p.csv")
         return
     rows = [("0mm", "0.4"), ("140mm", "0.8")]
-    assert rows_in("p.csv") == [{"x": [x], "junctions.mu_s": [mu_s]} for x, mu_s in rows]
+    assert rows_in("p.csv") == [{"x": x, "junctions.mu_s": mu_s} for x, mu_s in rows]
     output_of(load)
     found = json_of("analyze show a.h5 --json")["parameters"]["junctions.mu_s"]
     assert found == pytest.approx([0.4 + 0.05 * i for i in range(9)])

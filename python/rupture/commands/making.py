@@ -5,6 +5,7 @@ import shutil
 import threading
 import time
 
+from rupture.commands.code import digest_of_program, path_of, stamp_of
 from rupture.commands.holdings import Holdings, Scope
 from rupture.commands.identity import Made, Refused
 from rupture.commands.pool import Stopped
@@ -34,10 +35,18 @@ class Making:
         self.store, self.executor, self.pool, self.dry_run = store, executor, pool, dry_run
         self.holdings, self.locks = Holdings(store, cap), {}
         self.here, self.outermost = threading.local(), Scope()
+        self.paths, self.programs = {}, {}
 
     @property
     def scope(self):
         return getattr(self.here, "scope", self.outermost)
+
+    def program(self, name):
+        """Its path, the stamp of that, and what it computes with."""
+        path = self.paths[name] = self.paths.get(name) or path_of(name)
+        if (stamp := stamp_of(path)) not in self.programs:
+            self.programs[stamp] = path, stamp, digest_of_program(name, self.store)
+        return self.programs[stamp]
 
     def within(self, scope, function, values):
         """Calls a function for a point."""
