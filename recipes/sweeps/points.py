@@ -8,7 +8,7 @@ from sweeps.sweep import find
 from sweeps.words import without_time
 
 DONE, REFUSED, UNFINISHED = "done", "refused", "unfinished"
-LEFT_OUT = "{} was left out: it needs a value that is null"
+LEFT_OUT = "{} was left out, because it needs a value that is null"
 
 
 class Points:
@@ -20,10 +20,10 @@ class Points:
 
     def compute(self, point):
         """Its row of the table."""
-        reports, kept = {}, {}
+        reports: dict[str, dict] = {}
         row = {**point.values, "status": DONE, "sentence": ""}
         try:
-            row["sentence"] = self.run(point, reports, kept)
+            row |= self.run(point, reports)
         except (Refused, UsageError) as why:
             row |= {"status": REFUSED, "sentence": str(why)}
         except Failure as why:
@@ -31,14 +31,13 @@ class Points:
         for name, path in self.sweep.columns.items():
             value = find(reports, path)
             row[name] = [*map(in_cell, value)] if isinstance(value, list) else in_cell(value)
-        row |= {name: f"store/{place_of(made.work.own, name)}" for name, made in kept.items()}
         asked = self.making.scope.asked
         return row | {"point": asked[-1].own if asked else ""}
 
-    def run(self, point, reports, kept):
-        """Fills these two. A command that needs a value that is null is left out, and so is what
-        needs its files; returns which."""
-        made, left_out, missing = {}, [], set()
+    def run(self, point, reports):
+        """Fills the reports. A command that needs a value that is null is left out, and so is what
+        needs its files. Returns a sentence about these, and the places of kept files."""
+        made, kept, left_out, missing = {}, [], [], set()
         for command in self.sweep.commands:
             words = self.sweep.words(command, point, reports)
             if words is None or not missing.isdisjoint(map(without_time, words)):
@@ -51,10 +50,12 @@ class Points:
             made |= {name: work for name in work.outputs}
             if work.has_report:
                 reports[command.name] = self.making.report(work)
-            kept |= {name: work[name] for name in work.kept}
-        for file in kept.values():
+            kept += [work[name] for name in work.kept]
+        for file in kept:
             self.making.path(file)
-        return "; ".join(LEFT_OUT.format(name) for name in left_out)
+        sentence = "; ".join(LEFT_OUT.format(name) for name in left_out)
+        places = {file.name: f"store/{place_of(file.work.own, file.name)}" for file in kept}
+        return {"sentence": sentence} | places
 
     def work(self, words, made):
         """The command, with the files of earlier ones in place of their names."""

@@ -14,10 +14,7 @@ from rupture.units import NUMBER, PREFIXES, UNIT, amount, in_si, one_name
 from sweeps.text import check_letters
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
-# A number without a unit before one with a unit, which may be that of both, or the comma a decimal
-# one: 0,4mm/s. Only a 0 with a blank behind its comma is clear.
-BARE = rf"\s*[-+]?{NUMBER}\s*"
-MIXED = re.compile(rf"(?:^|,)(?!\s*[0.]+\s*,\s){BARE},{BARE}({UNIT})\s*(?:,|$)")
+WITH_UNIT = re.compile(rf"[-+]?{NUMBER}\s*{UNIT}")
 REFERENCE = re.compile(r"\{([^{}]+)\}")
 HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")  # of a table: a name, and perhaps a unit
 LIMIT = 100_000  # points of a sweep
@@ -164,13 +161,10 @@ def values_of(text):
         raise ValueError(f"'{text}' is not a range: {error}") from None
     if not all(listed):
         raise ValueError(f"'{text}' has an empty value")
-    if unit := MIXED.search(text):
-        each = re.sub(r"(?<=[\d.])(?=,|$)", unit[1], ", ".join(listed))
-        one = re.sub(r"(?<![.\d])(\d+),(?=\d+(?![.\d]))", r"\1.", text)
-        raise ValueError(f"'{text}' is unclear: write {', or '.join([one, each][one == text :])}")
-    bare = [one for one in listed if re.fullmatch(BARE, one) and 0 < abs(float(one)) < math.inf]
-    if bare and any(re.fullmatch(BARE + UNIT, one) for one in listed):
-        raise ValueError(f"'{text}' is unclear: {bare[0]} needs a unit, too")
+    bare = [one for one in listed if re.fullmatch(f"[-+]?{NUMBER}", one)]
+    if bare and any(map(WITH_UNIT.fullmatch, listed)):
+        decimals = "; decimals have a point" * (len(listed) == 2)
+        raise ValueError(f"'{text}' is unclear: {bare[0]} needs a unit, too{decimals}")
     return listed
 
 

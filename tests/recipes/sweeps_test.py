@@ -19,7 +19,7 @@ from sweeps.values import LIMIT, calculated, combined, rows_in, values_of
         ("1 to 3", "1 2 3"),
         ("0 to 1 by 0.4", "0 0.4 0.8"),
         ("1e-3, 0.002,bell", "1e-3 0.002 bell"),
-        ("0, 1mm/s,2mm/s", "0 1mm/s 2mm/s"),
+        ("0mm/s, 1mm/s,2mm/s", "0mm/s 1mm/s 2mm/s"),
         ("1 to 3 ms", "1ms 2ms 3ms"),
         ("0 to 2mm/s by 1 mm/s", "0mm/s 1mm/s 2mm/s"),
         ("1um to 3µm by 1μm", "1μm 2μm 3μm"),
@@ -49,8 +49,8 @@ WRONG_LISTS = {
     "give its step": ["0.1 to 0.5", "1 to 2.5", "1.5 to 3 ms"],
     "the same unit": ["1ms to 2s by 1ms", "1ms to 2ms in 3ms"],
     "has an empty value": ["1,,2", ""],
-    "is unclear: write 0.4mm/s, or 0mm/s, 4mm/s$": ["0,4mm/s"],
-    "is unclear: write 0.1mm/s, 4 mm/s$": ["0.1, 4 mm/s", "0.1,4 mm/s"],
+    "is unclear: 0 needs a unit, too; decimals have a point$": ["0,4mm/s"],
+    "is unclear: 0.1 needs a unit, too": ["0.1, 4 mm/s", "0.1,4 mm/s", "2mm/s, 0.1, 4 mm/s"],
 }
 
 
