@@ -1,6 +1,9 @@
 """Fronts that have passed 0.14 L, with and without slow slip from there on (docs/sweeps.md):
 python3 branches.py > branches.csv"""
 
+import csv
+import sys
+
 from rupture.once import each, run
 
 RECORD = "--for 10ms --record record.h5 --record-every 1e-5"
@@ -26,6 +29,6 @@ def branch(start, f_new):
 events = run(f"analyze events {load['r.h5']}").events
 starts = [round(event.t_start - 0.5e-3, 7) for event in events if event.spanning]
 points = [(start, f_new) for start in starts for f_new in ("zero", "f_slip")]
-print("start,junctions.f_new,type,arrest [m]")
-for point, found in each(branch, points, "branches"):
-    print(*point, *found, sep=",")
+table = csv.writer(sys.stdout)
+table.writerow(["start", "junctions.f_new", "type", "arrest [m]"])
+table.writerows([*point, *found] for point, found in each(branch, points, "branches"))

@@ -88,7 +88,7 @@ class Estimate:
 
     def lines(self, count):
         """What is said of `count` points."""
-        if number := len(self.needs):
+        if (number := len(self.needs)) and any(one.program in RUNS for one in self.runs):
             seconds, disk = (sum(need[k] for need in self.needs) / number for k in ("time", "disk"))
             cores = f"{duration(count * seconds / self.cores)} with {plural(self.cores, 'core')}"
             each = f"{self.at_most}{duration(seconds)} and {disk / 1e6:.2g} MB"

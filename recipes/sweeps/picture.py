@@ -63,7 +63,9 @@ def space_labels(fig):
         if which == 0 and not texts[0][:1].isdigit():
             axis.set_tick_params(rotation=90)
         else:
-            axis.set_ticks(axis.get_ticklocs(), [text * (n in shown) for n, text in enumerate(texts)])
+            axis.set_ticks(
+                axis.get_ticklocs(), [text * (n in shown) for n, text in enumerate(texts)]
+            )
 
 
 def without_overlap(labels, which):

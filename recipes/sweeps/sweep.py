@@ -280,12 +280,6 @@ class Sweep:
         self.axis = self.keys.get("axis", "")
         with self.text.errors_at("sweep", "axis"):
             check_known(self.axis, ("", *AXES), "an axis is log or linear, not")
-            for point in self.points if self.axis == "log" else ():
-                for name, text in ((n, point.values.get(n, "")) for n in self.varied):
-                    if isinstance(number := compared(text), float) and number <= 0:
-                        raise UsageError(
-                            f"{name} is {text}: a logarithmic axis has no place for it"
-                        )
         memory, threads = self.keys.get("memory", "1 GB"), self.keys.get("threads", "1")
         with self.text.errors_at("sweep", "memory"):
             amount = re.fullmatch(r"(\d{0,9}\.?\d{1,9})\s*(MB|GB)", memory)

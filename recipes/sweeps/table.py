@@ -56,12 +56,12 @@ class Column:
     @property
     def scale(self):
         """Logarithmic where positive numbers span two decades, or three or more of them are spaced
-        by a factor."""
+        by a factor, unless the sweep says it."""
         places = np.unique(self.positions[np.isfinite(self.positions)])
-        if self.axis and self.unit:
-            return self.axis
         if not self.unit or not len(places) or places[0] <= 0:
             return "linear"
+        if self.axis:
+            return self.axis
         spans = places[-1] >= TWO_DECADES * places[0]
         return "log" if spans or (len(places) > 2 and is_geometric(places)) else "linear"
 

@@ -132,7 +132,11 @@ class Command:
     def check(self, words, is_file):
         """Raises UsageError for words that the program does not take, or that a sweep must not
         have. `is_file(word)`: whether there is such an input."""
-        options, given, rest = self.described.options(self.call), {}, [*words[: self.begin - 1 : -1]]
+        options, given, rest = (
+            self.described.options(self.call),
+            {},
+            [*words[: self.begin - 1 : -1]],
+        )
         while rest:
             word = rest.pop()
             if not is_option(word):

@@ -2,7 +2,6 @@
 changes; interrupted, killed or damaged, nothing goes on by itself, and the same command completes
 it (recipes/reproduce/sweeps.py)."""
 
-import re
 import signal
 from pathlib import Path
 
@@ -153,7 +152,10 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     assert (process.stderr.read(), process.wait(WITHIN)) == ("", 141)
     assert "Computed now: 0; already done: 1." in sweep.go()
     assert [row["tau-bar"] for row in sweep.rows()] == ["0.2"]
-    assert "Nothing to compute: all results are up to date.\n\nPrestress: 1 point: 1 done." in sweep.go()
+    assert (
+        "Nothing to compute: all results are up to date.\n\nPrestress: 1 point: 1 done."
+        in sweep.go()
+    )
 
     for result in (sweep.root / "results/store").glob("[0-9a-f][0-9a-f]/*.json"):
         result.write_text("{")

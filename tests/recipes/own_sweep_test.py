@@ -172,7 +172,6 @@ REFUSED = [
     ("[sweep]", "[sweep]\nkeep = x.h5", "line 2: no command writes x.h5"),
     ("[sweep]", "[sweep]\nkeep = ../s.h5", "line 2: '../s.h5' is not the name of a file in"),
     ("[sweep]", "[sweep]\naxis = lg", "an axis is log or linear, not 'lg'"),
-    ("[sweep]", "[sweep]\naxis = log", "tau-bar is 0: a logarithmic axis has no place"),
     *(
         ("[sweep]", f"[sweep]\n{need}", f"'{need}': give a")
         for need in ("memory = 10", "memory = 0 MB", "memory = .", "threads = 0", "threads = 1.5")
@@ -194,7 +193,11 @@ REFUSED = [
     ("{values}", "{values", "a brace is missing"),
     ("{values}", "{values} 'x", "cannot be split into words"),
     ("{values}", "{values} --seed {round(5, -9999999999)}", "there is no 'round"),
-    ("{values}", "{values} --seed {stress.F_T}", "line 3: 'stress.F_T': .commands. has no 'stress'"),
+    (
+        "{values}",
+        "{values} --seed {stress.F_T}",
+        "line 3: 'stress.F_T': .commands. has no 'stress'",
+    ),
     ("s.h5 --json", f"s.h5{LATER.replace('.8', '')}", "is a list: name one element"),
     ("s.h5 --json", f"s.h5{LATER.replace('.8', '[8]')}", "is no quantity, such as"),
     ("s.h5 --json", f"s.h5{LATER.replace('rupture', 'ruptur')}", "no 'front.t_ruptur.8': did"),
@@ -224,7 +227,7 @@ REFUSED = [
     (VALUES, "tau-bar = 0.1, high, 0.2", r"tau-bar must be a finite number \(got 'high'"),
     *(
         (VALUES, f"{VALUES}\njunctions.t_R = 2ms, {text}", r"must be a finite number in s \(got '")
-        for text in ("1mm", "nan", "1e999")
+        for text in ("1mm", "nan", "1e999s")
     ),
     *(
         (VALUES, f"{VALUES}\n{same}", "two points have the same values")
@@ -265,8 +268,7 @@ def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sente
     Path("empty.csv").touch()
     Path("one.csv").write_text("tau-bar\n0.1\n")
     assert part in SWEEP
-    text = SWEEP.replace("0.1", "0") if "log" in new else SWEEP
-    text = text.replace(part, new, 1)
+    text = SWEEP.replace(part, new, 1)
     named = [line for line in OTHERS.splitlines() if f"{{{line.split(' = ')[0]}}}" in new]
     text = text.replace(VALUES, "\n".join([VALUES, *named]))
     with pytest.raises(UsageError, match=f"^/.*/sweep.ini[:,] .*({sentence})"):
@@ -274,7 +276,7 @@ def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sente
 
 
 def test_the_words_of_every_point_are_checked(read):
-    text = SWEEP.replace(VALUES, f"{VALUES}\nseed = 1 to 3, 4").replace("1 to 3, 4", "1, 2, --force")
+    text = SWEEP.replace(VALUES, f"{VALUES}\nseed = 1, 2, --force")
     with pytest.raises(UsageError, match="line 3: .*the value '--force' would be an option"):
         read(text)
 
