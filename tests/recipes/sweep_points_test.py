@@ -1,4 +1,4 @@
-"""Points of a sweep, with stand-ins for programs: what is filled in, left out, refused and kept; and
+"""Points of a sweep, with stand-ins for programs: what is filled in, left out, refused, kept; and
 what --dry-run says of them (recipes/sweeps/points.py, estimate.py)."""
 
 import shutil
