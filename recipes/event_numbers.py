@@ -37,7 +37,7 @@ def at_transitions(front):
 
 
 def crossing_time(front):
-    """From 0.4 L to 0.6 L [ms]."""
+    """The time of a front from 0.4 L to 0.6 L [ms]."""
     start, end = at_transitions(front)
     return float(end - start)
 

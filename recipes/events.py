@@ -175,7 +175,7 @@ def before(load, event, times=TIMES):
 
 
 def duration(event):
-    """For which it is continued [s]."""
+    """The time for which an event is continued [s]."""
     ruptures = [time for time in event.t_rupture if time is not None]
     return max(0.01, 2 * (max(ruptures) - event.t_start))
 
@@ -217,12 +217,12 @@ CHANGES = {
 }
 
 
-def branch_of(start, front, block, lasting):
+def branch_of(event, block, lasting):
     """What becomes of an event when something changes just as a block ruptures. Slip is followed at
     the block at 0.34 L, as in the paper, and at those 0.06 L and 0.1 L before the event's own slow
-    stretch. `front`: of the event as it is."""
-    x = WIDTH * block
-    branch = run(f"restart {start} -o branch.h5 --until-rupture-at {x} --for {lasting}")
+    stretch. `event`: where it starts, and its fronts as it is."""
+    x, front = WIDTH * block, event.fronts[PRIMARY]
+    branch = run(f"restart {event.start} -o branch.h5 --until-rupture-at {x} --for {lasting}")
     branch = branch["branch.h5"]
 
     def record_with(change, end=f"--for {lasting}"):
@@ -245,6 +245,7 @@ def branch_of(start, front, block, lasting):
 
     return SimpleNamespace(
         start=branch,
+        fronts=event.fronts,
         block=block,
         records=records,
         stopped=by_way(front_in(records["stopped"]), SETS["raw"]),
@@ -277,16 +278,14 @@ def continued(seed, number):
 
 
 def all_continued():
-    """Of all runs."""
+    """The continued events of all runs."""
     return [*every(continued, slow_events(all_runs().items()), "events").values()]
 
 
 @cache
 def branch(seed, number, block):
-    of, event = continued(seed, number), events_of(seed)[PRIMARY][number]
-    found = branch_of(of.start, of.fronts[PRIMARY], block, duration(event))
-    found.fronts = of.fronts
-    return found
+    lasting = duration(events_of(seed)[PRIMARY][number])
+    return branch_of(continued(seed, number), block, lasting)
 
 
 @cache

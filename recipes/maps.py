@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from functools import cache
 
 from rupture.errors import Failure
-from rupture.once import each, keep, run
+from rupture.once import each, run
 
-from claims.samples import Samples, Unit
+from claims.samples import Samples, Unit, sampled
 from measure import front_map
 from measure.conventions import CONVENTIONS, PRIMARY, SETS, by_way
 from measure.fronts import TYPES, type_on_map
@@ -26,31 +26,50 @@ def spaced(first, last, step):
     return [float(f"{first + n * step:.12g}") for n in range(count + 1)]
 
 
+# --- samples -----------------------------------------------------------------------------------
+
+
+def units_of_seeds(function, title):
+    """What is found for each seed is a sample of its own."""
+    return [Unit(None, of) for _, of in sampled(function, [(seed,) for seed in SEEDS], title)]
+
+
+def over_seeds(function, title):
+    """The samples of a function of the seed; the picture shows the first."""
+    return Samples({"": function(SEEDS[0])}, {PRIMARY: units_of_seeds(function, title)})
+
+
 # --- fronts ------------------------------------------------------------------------------------
 
 
-def record_of(tau_bar, sigma_bar, options, recorded):
-    """Of a front that is triggered on an interface; the types of fronts are told from it."""
-    prestress = f"--tau-bar {tau_bar:.12g} --sigma-bar {sigma_bar:.12g}"
-    start = run(f"prepare {prestress} {options} -o start.h5")["start.h5"]
-    record = run(f"restart {start} -o end.h5 --until-quiet {recorded}")["record.h5"]
-    keep(record)
-    return record
+def start_of(interface):
+    """An interface with these options of `prepare`."""
+    return run(f"prepare {interface} -o start.h5")["start.h5"]
 
 
-def front_at(tau_bar, sigma_bar, seed, options):
-    """With its type in all ways to measure that make a difference on a map."""
-    seeded = f"{options} --set numerics.seed={seed}"
-    record = record_of(tau_bar, sigma_bar, seeded, CLASSIFIED)
+def record_of(interface, recorded=COARSE, kept=()):
+    """The record of the front that is triggered there."""
+    line = f"restart {start_of(interface)} -o end.h5 --until-quiet {recorded}"
+    return run(line, kept)["record.h5"]
+
+
+def at(tau_bar, sigma_bar, seed, options):
+    """The options of `prepare` for a place on a map."""
+    place = f"--tau-bar {tau_bar:.12g} --sigma-bar {sigma_bar:.12g}"
+    return f"{place} {options} --set numerics.seed={seed}"
+
+
+def front_at(*place):
+    """A front with its type in all ways to measure that make a difference on a map."""
+    record = record_of(at(*place), CLASSIFIED, ["record.h5"])
     types = by_way(f"analyze classify {record}", SETS["map"])
     front = run(f"analyze front {record}")
     return front | {"types": {way: report.type for way, report in types.items()}}
 
 
-def plain_front_at(tau_bar, sigma_bar, seed, options):
-    """With its type as `analyze front` tells it."""
-    seeded = f"{options} --set numerics.seed={seed}"
-    front = run(f"analyze front {record_of(tau_bar, sigma_bar, seeded, COARSE)}")
+def plain_front_at(*place):
+    """A front with its type as `analyze front` tells it."""
+    front = run(f"analyze front {record_of(at(*place), kept=['record.h5'])}")
     return front | {"types": {PRIMARY: front.type}}
 
 
@@ -153,10 +172,8 @@ class Interfaces:
 
     def kinds_at(self, steps):
         """{way: type}"""
-        prepare = f"prepare --tau-bar {steps * self.step:g} {self.options} -o start.h5"
-        start = run(prepare)["start.h5"]
-        line = f"restart {start} -o end.h5 --until-quiet {CLASSIFIED}"
-        found = by_way(f"analyze classify {run(line)['record.h5']}", self.ways)
+        record = record_of(f"--tau-bar {steps * self.step:g} {self.options}", CLASSIFIED)
+        found = by_way(f"analyze classify {record}", self.ways)
         return {way: type_on_map(report.type) for way, report in found.items()}
 
     def edge(self, kind, way=PRIMARY, guess=None):
@@ -181,5 +198,5 @@ def edges(sigma_bar, options="", seed=1):
 
 
 def width(edges, way=PRIMARY):
-    """Of a band of slow fronts, in tau_bar_0."""
+    """The width of a band of slow fronts, in tau_bar_0."""
     return edges[way]["fast"] - edges[way]["slow"]

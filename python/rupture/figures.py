@@ -76,7 +76,7 @@ def draw_ahead(axes, front, t_zero, **look):
 
 
 def draw_front_speeds(axes, fronts, looks):
-    """As in the package. Grey: the loading zone, in which speeds do not count."""
+    """Draws front speeds as the package does. Grey: the loading zone, where they do not count."""
     plotting.draw_front_speeds(axes, fronts, looks)
     L = next(iter(fronts.values()))["L"]
     axes.plot([], [], "o", color=plotting.ABOVE, label="above $c_s$")

@@ -60,7 +60,7 @@ LIMITS |= {"pinned": (0, "S"), "block": (0, "last"), "f_new": (0, 1)}
 
 
 def rows_of(kind):
-    """By path, type[lengths] and the beginning of the paths with one of which it is needed."""
+    """Yields (path, (type[lengths], the beginning of the paths with one of which it is needed))."""
     for line in TABLES[kind].strip().splitlines():
         group, *words = line.split()
         for names, form in zip(words[::2], words[1::2]):

@@ -69,10 +69,10 @@ METADATA = {
 }
 
 
-def save(figure, path, origin, **options):
+def save(figure, path, made_by, **options):
     """Writes a picture, in whose metadata is where it comes from. Equal ones are equal bytes."""
     name, others = METADATA[path.suffix.lower()]
-    figure.savefig(path, metadata={name: origin, **others}, **options)
+    figure.savefig(path, metadata={name: made_by, **others}, **options)
 
 
 def plain_text(name):

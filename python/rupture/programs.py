@@ -21,7 +21,7 @@ DRAWING = ("map", "movie", "xdmf")  # they write no checkpoint
 
 
 def own_folder():
-    """Where the build or installation that this package belongs to has its programs."""
+    """The folder of programs of the build or installation that this package belongs to."""
     if (PACKAGE / "../../CMakeLists.txt").exists():
         return PACKAGE.parents[1] / "build/release/bin"
     return PACKAGE.parents[3] / "libexec/rupture"  # from lib/python3/dist-packages

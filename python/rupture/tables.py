@@ -68,9 +68,9 @@ def to_xarray(file):
             continue
         dimensions = dimensions_of(file, name, array)
         variables[name.replace("/", "_")] = (dimensions, array, labels_of(file, name))
-    origin = {"source": str(file.path), "content_checksum": file.checksum}
-    origin["provenance"] = json.dumps(file.provenance)
-    return xarray.Dataset(variables, coordinates, origin | file.parameters)
+    attributes = {"source": str(file.path), "content_checksum": file.checksum}
+    attributes["provenance"] = json.dumps(file.provenance)
+    return xarray.Dataset(variables, coordinates, attributes | file.parameters)
 
 
 def to_dataframe(file):

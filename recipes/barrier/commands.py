@@ -7,6 +7,7 @@ from itertools import product
 from rupture.once import run
 
 from claims.samples import every
+from maps import COARSE, start_of
 
 FIRST = 28  # block of the patch, at 70 mm
 PLAIN = (0.4, 1)  # mu_s and width of no patch
@@ -18,13 +19,10 @@ STRENGTHS, WIDTHS = (0.45, 0.5, 0.6, 0.7, 0.8, 1), (1, 2, 4, 8)  # mu_s, blocks
 def front_at(tau_bar, strength, width, f_new):
     """The prestress is the same inside: restart, not prepare, changes the strength."""
     prestress = f"--tau-bar {tau_bar} --sigma-bar 0.1 --set junctions.f_new={f_new}"
-    start = run(f"prepare {prestress} -o start.h5")["start.h5"]
+    start = start_of(prestress)
     patch = f"junctions.mu_s={strength} from 70mm to {70 + 2.5 * (width - 1):g}mm"
-    record = run(
-        f"restart {start} --set '{patch}' -o end.h5 --until-quiet"
-        " --record record.h5 --record-every 1e-3"
-    )["record.h5"]
-    return run(f"analyze front {record}")
+    line = f"restart {start} --set '{patch}' -o end.h5 --until-quiet {COARSE}"
+    return run(f"analyze front {run(line)['record.h5']}")
 
 
 @cache

@@ -64,7 +64,8 @@ def own_result(places):
 
 
 def draw_fronts(axes, places):
-    """At the first patch that only slow slip crosses, from the weakest and narrowest on."""
+    """Draws the fronts at the first patch that only slow slip crosses, from the weakest and
+    narrowest on."""
     tau_bar, strength, width = only_slow_slip(places)[0]
     axes.axvspan(70 - 1.25, 70 + 2.5 * width - 1.25, color=BLACK, alpha=0.15, linewidth=0)
     for place, style in (((strength, width), "-"), (PLAIN, ":")):

@@ -57,8 +57,8 @@ def edges():
 
 
 def load(choice, seed):
-    """With half edge springs, the decaying law breaks junctions before 0.18 s; driven lower, the
-    slider breaks the first ones before 0.12 s."""
+    """The load of a choice. With half edge springs, the decaying law breaks junctions before 0.18
+    s; driven lower, the slider breaks the first ones before 0.12 s."""
     if choice in SETTLED:
         return events.load(seed, choice)
     until = 0.1 if choice == "drive-lower" else 0.17
@@ -87,9 +87,7 @@ def branch(choice, seed, number):
         return events.branch(seed, number, BLOCK)
     event = events_of(choice, seed)[PRIMARY][number]
     of = events.continued_from(load(choice, seed), event)
-    found = events.branch_of(of.start, of.fronts[PRIMARY], BLOCK, duration(event))
-    found.fronts = of.fronts
-    return found
+    return events.branch_of(of, BLOCK, duration(event))
 
 
 def units_of_runs(choice):

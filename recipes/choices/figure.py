@@ -65,7 +65,7 @@ class Found:
     moved: str | None = None
 
     def beside(self, settled):
-        """With what RULE says."""
+        """Compares this with what is settled, by RULE."""
         if settled is None or None in (self.value, self.low, settled.low):
             return self
         up, down = self.low > settled.high, self.high < settled.low

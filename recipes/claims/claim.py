@@ -62,7 +62,7 @@ class Claim:
 
     @property
     def standing(self):
-        """For readers: the verdict, or what is known without one."""
+        """The verdict, or what is known without one."""
         return self.verdict or self.case
 
     def __post_init__(self):

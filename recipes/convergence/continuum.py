@@ -50,7 +50,7 @@ def compared(high, low):
 
 
 def measured(edges):
-    """And what becomes of the paper's map."""
+    """The limits of all edges, and what becomes of the paper's map."""
     limits = {
         f"lattice, {name}, sigma_bar {sigma:g}: {front}, and its error": [*continuum(found)]
         for (name, sigma, front), found in edges.items()

@@ -21,7 +21,7 @@ IMPOSSIBLE_FRONT = {"type": IMPOSSIBLE, "x_arrest": None, "slow": None}
 
 
 def event_front(front):
-    """As `analyze front` reports it."""
+    """The row of a front that `analyze front` reports."""
     slow = front["slow"] or {}
     kept = {"type": front["type"], "arrested at [m]": front["x_arrest"]}
     return kept | {name: slow.get(key) for name, key in SLOW.items()}

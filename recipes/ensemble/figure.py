@@ -25,7 +25,7 @@ FROM = 0.2  # of L; before, fronts begin in many ways
 
 
 def draw_fronts(axes, events, colour):
-    """From the block at FROM on."""
+    """Draws when each front is where, from the block at FROM on."""
     for event in events:
         t_front = values(event["t_front"])
         x = np.linspace(0, 1, len(t_front))

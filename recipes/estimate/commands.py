@@ -12,7 +12,7 @@ SLIP = "over_f_slip_per_k_ij"
 
 
 def relaxation(seed):
-    """Of another block, with slipping times of its own."""
+    """The relaxation of another block, with slipping times of its own."""
     report = run(f"analyze estimate {shipped('fast-slow-fast')} --seed {seed} --ensemble 2")
     return report.relaxation
 

@@ -26,8 +26,7 @@ def draw_band(axes, relaxations, longest):
     """The range of the slip of most blocks, each with its own slipping times."""
     time = np.linspace(0, longest, 400)
     slips = []
-    for one in relaxations:
-        course = one
+    for course in relaxations:
         passed = np.searchsorted(course["time_over_t_R"], time, side="right")
         slips.append(np.array([0.0, *course["slip_over_f_slip_per_k_ij"]])[passed])
     low, high = np.quantile(slips, (0.05, 0.95), axis=0)

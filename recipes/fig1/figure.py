@@ -1,13 +1,67 @@
-"""Figure 1 D-G, drawn from its tables."""
+"""Figure 1 D-G and its data: tables, each {heading: column}."""
 
 import numpy as np
+import rupture
 from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered, save
 
-from fig1 import curves
-from measure.tables import read_table
+from events import shown_events
+from fig1 import junction
+from fig1.commands import MIDDLE, event, loading, pulled, steady
+from measure.conventions import PRIMARY
+from measure.tables import write_table
 from paper import MU_D, MU_S
 
 SHOWN = (0.1, 1500)  # speeds drawn in G [mm/s]
+OF_EVENT = {  # heading: name in a report
+    "t_start [s]": "t_start",
+    "t_end [s]": "t_end",
+    "x_first [m]": "x_first",
+    "x_last [m]": "x_last",
+    "spanning": "spanning",
+    "type": "type",
+    "F_T_before [N]": "F_T_before",
+    "F_T_after [N]": "F_T_after",
+}
+
+
+# --- data --------------------------------------------------------------------------------------
+
+
+def driving_force():
+    report = loading()
+    force = np.array(report.F_T) / report.F_N
+    return {"time [s]": np.array(report.time), "F_T/F_N": force}
+
+
+def events_of_load():
+    events = shown_events("reference")[PRIMARY]
+    return {head: np.array([one[name] for one in events]) for head, name in OF_EVENT.items()}
+
+
+def block_in_the_middle():
+    record, front = rupture.open(event().record), event().fronts[PRIMARY]
+    p, tau = record["p"][:, MIDDLE], record["tau"][:, MIDDLE]
+    since = record.time - front.t_rupture[MIDDLE]
+    head = {"time [s]": record.time, "time since the rupture [s]": since}
+    return head | {"p [N]": p, "tau [N]": tau, "tau/p": tau / p}
+
+
+def one_junction():
+    names = ["time [s]", "displacement [m]", "f_T/f_N", "pinned"]
+    columns = zip(*junction.rows(junction.Pulled(*pulled())))
+    return dict(zip(names, map(np.array, columns)))
+
+
+def steady_friction():
+    """All speeds, and the limits of low and high ones."""
+    both, order = steady(), np.argsort(steady().range.v + steady().limits.v)
+    names = {"v [m/s]": "v", "tau/p": "mu", "standard error": "mu_error"}
+    names["renewal theory"] = "mu_theory"
+    columns = {head: both.range[name] + both.limits[name] for head, name in names.items()}
+    return {head: np.array(column)[order] for head, column in columns.items()}
+
+
+# --- picture -----------------------------------------------------------------------------------
 
 
 def draw_loading(axes, loading, events):
@@ -56,19 +110,23 @@ def draw_speeds(axes, steady):
     axes.legend(loc="center right")
 
 
-def draw(results):
-    table = {
-        name: read_table(results / f"{name}.csv")
-        for name in ("loading", "events", "block", "junction", "steady-state")
-    }
+def draw(tables, stem):
     fig, panels = lettered("DE;FG", DOUBLE, 0.62 * DOUBLE)
-    draw_loading(panels["D"], table["loading"], table["events"])
-    draw_block(panels["E"], table["block"])
-    draw_junction(panels["F"], table["junction"])
-    draw_speeds(panels["G"], table["steady-state"])
-    save(fig, results / "fig1")
+    draw_loading(panels["D"], tables["loading"], tables["events"])
+    draw_block(panels["E"], tables["block"])
+    draw_junction(panels["F"], tables["junction"])
+    draw_speeds(panels["G"], tables["steady-state"])
+    save(fig, stem)
 
 
 def make(results):
-    curves.make(results)
-    draw(results)
+    tables = {
+        "loading": driving_force(),
+        "events": events_of_load(),
+        "block": block_in_the_middle(),
+        "junction": one_junction(),
+        "steady-state": steady_friction(),
+    }
+    for name, columns in tables.items():
+        write_table(results / f"{name}.csv", columns, zip(*columns.values()))
+    draw(tables, results / "fig1")

@@ -57,8 +57,8 @@ def runs_beside_III():
 
 
 def shown_of(law):
-    """Of the run that figures show: the first spanning event that is fast-slow-fast in words, or
-    the first one."""
+    """The event of the run that figures show: the first spanning event that is fast-slow-fast in
+    words, or the first one."""
     spanning = [event for event in shown_events(law)[PRIMARY] if event.spanning]
     such = [event for event in spanning if event.fast_slow_fast]
     return {PRIMARY: [*such, *spanning][:1]}
@@ -108,7 +108,8 @@ def numbers(of, way):
 
 
 def slowest(event):
-    """Of a front's stencils beyond the loading zone; a run's events are without them [m/s]."""
+    """The lowest speed of a front's stencils beyond the loading zone [m/s]; NaN for a run's
+    events."""
     pairs = zip(event.get("x", ()), values(event.get("v_c", ())))
     return min((v for x, v in pairs if x > LOADING_ZONE and v > 0), default=np.nan)
 

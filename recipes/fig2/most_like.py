@@ -5,7 +5,6 @@ from rupture.errors import Failure
 
 import paper
 from event_numbers import numbers_of
-from measure.fronts import has_slow_stretch
 
 PAPER = {  # for readers: of numbers_of(), the paper's value
     "fast before over c_s/3": ("fast before/c_s", paper.FAST),
@@ -23,7 +22,7 @@ def ratios_of(event):
     the five is not known or zero. A stretch that is not fast at an end has no transition there."""
     case = numbers_of(event)
     known = [case[key] for key, _ in PAPER.values()] + [(event["slow"] or {}).get("fast_after")]
-    if not has_slow_stretch(event) or not all(known):
+    if event["type"] != "slow" or not all(known):
         return None
     return {name: case[key] / of_paper for name, (key, of_paper) in PAPER.items()}
 

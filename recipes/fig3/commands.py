@@ -19,10 +19,8 @@ BLOCK = 8  # of the branch, at 0.14 L
 @cache
 def continued(name):
     """Event I or II, continued as those of the ensemble are."""
-    event = shown_event(EVENTS[name])
-    of = branch_of(event.start, event.front, BLOCK, 0.01)
+    of = branch_of(shown_event(EVENTS[name]), BLOCK, 0.01)
     keep(of.start, *of.records.values())
-    of.fronts = event.fronts
     return of
 
 

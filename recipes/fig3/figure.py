@@ -9,7 +9,7 @@ from rupture.reports import values
 import paper
 from claims.claim import Number
 from fig3 import decay_length_figure, front_speed_figure, no_slip_force, slow_slip_figure
-from fig3.commands import SHOWN, continued, every_step
+from fig3.commands import SHOWN, continued, every_step, fastest
 from measure.conventions import PRIMARY
 from measure.tables import write_table
 
@@ -55,11 +55,6 @@ def slips_of(event):
     return dict(zip(("stopped", "t_R-half", "t_R-double"), event.slips))
 
 
-def peak_speed(slip):
-    """Between steps [m/s]."""
-    return float(np.max(np.diff(slip["slip"]) / np.diff(slip["time"])))
-
-
 def draw(events, stem):
     """Event I above, event II, which the paper shows, below; the times of all maps are the same."""
     wide = {"width_ratios": (1, 1, 1.25)}
@@ -89,33 +84,27 @@ def rows(events):
 
 def numbers_of(events, peaks):
     """`peaks`: of the slip speed [m/s]."""
-    of_slip = {name: event.slips[0] for name, event in events.items()}
-    return [
-        *(
-            Number(
-                f"peak slip speed as the front passes, {name} [mm/s]",
-                None,
-                peak * 1e3,
-                note=OF_REF_20,
-            )
-            for name, peak in peaks.items()
-        ),
-        *(
-            Number(f"{name}: {quantity}", None, value)
-            for name, slip in of_slip.items()
-            for quantity, value in (
-                ("peak/slow slip speed", peaks[name] / slip["slow_speed"]),
-                ("fast/slow slip distance", slip["fast_slip"] / slip["slow_slip"]),
-            )
-        ),
+    numbers = [
+        Number(
+            f"peak slip speed as the front passes, {name} [mm/s]", None, 1e3 * peak, note=OF_REF_20
+        )
+        for name, peak in peaks.items()
     ]
+    for name, event in events.items():
+        slip = event.slips[0]
+        speed, distance = peaks[name] / slip.slow_speed, slip.fast_slip / slip.slow_slip
+        numbers.append(Number(f"{name}: peak/slow slip speed", None, speed))
+        numbers.append(Number(f"{name}: fast/slow slip distance", None, distance))
+    return numbers
 
 
 def make(results):
     events = {name: continued(name) for name in SHOWN}
     draw(events, results / "fig3")
     write_table(results / "slip.csv", ["event", "run", "time [s]", "slip [m]"], rows(events))
-    numbers = numbers_of(events, {name: peak_speed(every_step(name)) for name in SHOWN})
+    numbers = numbers_of(
+        events, {name: float(fastest(every_step(name), np.isfinite)) for name in SHOWN}
+    )
     no_slip_force.make(results)
     for part in (decay_length_figure, front_speed_figure, slow_slip_figure):
         numbers += part.make(results)

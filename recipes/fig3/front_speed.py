@@ -5,20 +5,21 @@ The simplified law has one spring per block and no width: another width of phi i
 model alone.
 """
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 
 import paper
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples
 from fig3 import slow_fronts as slow
-from maps import SEEDS, places_of, spaced
+from maps import over_seeds, places_of, spaced, units_of_seeds
 from measure.conventions import PRIMARY
 from measure.tables import numbers
 
 NX = 57
 N_S = 100
+REFERENCE = {"junctions.law": "reference", "junctions.v_slow": 0}
 SIMPLIFIED = {"junctions.law": "simplified", "sigma-bar": 0, "junctions.v_slow": 1e-3}
 V_SLOW = (0.3e-3, 0.5e-3, 0.75e-3, 1e-3, 1.5e-3, 2e-3, 3e-3, 5e-3)  # [m/s]
 T_R, MU_D = "junctions.t_R", "junctions.mu_d"
@@ -88,13 +89,8 @@ def parameters(seed, **changed):
 @cache
 def fronts(seed):
     """Rows under both laws."""
-    law = {"junctions.law": "reference", "junctions.v_slow": 0}
-    points = [
-        (name, parameters(seed, **law | of))
-        for name, variants in VARIANTS.items()
-        for of in variants
-    ]
-    return [row for _, row in each(slow.front_of, points, f"front speeds, seed {seed}")]
+    of_seed = partial(parameters, seed, **REFERENCE)
+    return slow.rows_of(VARIANTS, of_seed, f"front speeds, seed {seed}")
 
 
 def front_of_width(variant, parameters):
@@ -107,11 +103,8 @@ def front_of_width(variant, parameters):
 @cache
 def widths(seed):
     """Usable rows of the full law at other widths of phi."""
-    points = [
-        (name, parameters(seed, **of)) for name, variants in WIDTHS.items() for of in variants
-    ]
     title = f"other widths, seed {seed}"
-    return slow.usable([row for _, row in each(front_of_width, points, title)])
+    return slow.usable(slow.rows_of(WIDTHS, partial(parameters, seed), title, front_of_width))
 
 
 # --- fits --------------------------------------------------------------------------------------
@@ -159,18 +152,16 @@ def fits(seed):
     return {way: fits_of(rows) for way, rows in usable_fronts(seed).items()}
 
 
-def fits_at_width(seed, sigma_bar):
-    rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
-    return {PRIMARY: fits_of(rows)}
-
-
 def each_seed():
-    units = {PRIMARY: sampled(fits, [(seed,) for seed in SEEDS], "front speeds")}
-    for sigma in (0, 0.2):
-        points = [(seed, sigma) for seed in SEEDS]
-        units[f"sigma-bar {sigma}"] = sampled(fits_at_width, points, f"sigma-bar {sigma}")
-    found = {name: [Unit(None, of) for _, of in of_seeds] for name, of_seeds in units.items()}
-    return Samples({"": fits(1)}, found)
+    def at_width(sigma_bar):
+        def of_seed(seed):
+            rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
+            return {PRIMARY: fits_of(rows)}
+
+        return units_of_seeds(of_seed, f"sigma-bar {sigma_bar}")
+
+    found = over_seeds(fits, "front speeds")
+    return Samples(found.shown, found.units | {f"sigma-bar {s}": at_width(s) for s in (0, 0.2)})
 
 
 def scaling(fits, way):

@@ -5,28 +5,27 @@ import math
 from functools import cache
 
 import numpy as np
-from rupture.once import measured, run
+from rupture.once import measured
 from rupture.reports import values
 
-from claims.samples import Samples, Unit, every, sampled
+from claims.samples import every
 from fig3.decay_length import METHODS, decay_of_front, median
-from fig3.front_speed import parameters
+from fig3.front_speed import REFERENCE, parameters
 from fig3.slow_fronts import record_of
-from maps import SEEDS, spaced
+from maps import over_seeds, spaced
 from measure.conventions import PRIMARY
 
 KAPPA = 39.2e9  # of the reference [N/m^2]
 KAPPAS = (156.8e9, 78.4e9, 39.2e9, 19.6e9, 9.8e9)  # k_i from twice the reference's to half of it
-REFERENCE = {"junctions.law": "reference", "junctions.v_slow": 0}
 
 
 # --- fronts ------------------------------------------------------------------------------------
 
 
 def front_at(tau_bar, seed):
-    record = record_of(parameters(seed, **REFERENCE, **{"tau-bar": tau_bar}))
-    run(f"analyze front {record}")
-    return measured(decay_of_front, record)
+    return measured(
+        decay_of_front, record_of(parameters(seed, **REFERENCE, **{"tau-bar": tau_bar}))
+    )
 
 
 @cache
@@ -45,7 +44,7 @@ def stiffness(kappa, seed):
 
 @cache
 def fronts_by_stiffness(seed):
-    """By k_i, from the largest."""
+    """The fronts of a seed by k_i, from the largest."""
     points = [(kappa, seed) for kappa in KAPPAS]
     return [*every(stiffness, points, f"stiffness, seed {seed}").values()]
 
@@ -53,13 +52,8 @@ def fronts_by_stiffness(seed):
 # --- what claims measure -----------------------------------------------------------------------
 
 
-def over_seeds(function):
-    found = sampled(function, [(seed,) for seed in SEEDS], "seeds")
-    return Samples({"": function(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
-
-
 def each_seed():
-    return over_seeds(lambda seed: [*fronts(seed).values()])
+    return over_seeds(lambda seed: [*fronts(seed).values()], "decay lengths")
 
 
 def in_mm(lengths):
@@ -81,7 +75,7 @@ def length(fronts, way):
 
 
 def each_stiffness():
-    return over_seeds(fronts_by_stiffness)
+    return over_seeds(fronts_by_stiffness, "stiffness")
 
 
 def by_stiffness(fronts, way):

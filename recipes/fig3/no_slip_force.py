@@ -4,9 +4,9 @@ Pressure and mu_s are as ever, tau-bar is now tau_0/(mu_s p)."""
 from functools import cache
 from types import SimpleNamespace
 
-from claims.samples import Samples, Unit, every, sampled
-from maps import SEEDS, edges, fronts_at, places_of, spaced, width
-from measure.conventions import CONVENTIONS, PRIMARY
+from claims.samples import every, sampled
+from maps import SEEDS, edges, fronts_at, over_seeds, places_of, spaced, width
+from measure.conventions import CONVENTIONS
 from measure.front_map import TYPES, beyond_trigger, front_type
 from measure.tables import write_table
 
@@ -32,8 +32,7 @@ def of_seed(seed):
 
 
 def each_seed():
-    found = sampled(of_seed, [(seed,) for seed in SEEDS], "f_slip = 0")
-    return Samples({"": of_seed(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return over_seeds(of_seed, "f_slip = 0")
 
 
 def types(of, way):
@@ -47,11 +46,6 @@ def types(of, way):
 # --- the table ---------------------------------------------------------------------------------
 
 
-def types_of(front):
-    """{convention: type}; impossible where no interface can be prepared."""
-    return {name: front_type(front, name) for name in CONVENTIONS}
-
-
 def slowest(front):
     """Lowest v_c [m/s] of a front that spans, at stencils beyond the trigger region; else None."""
     if front is None or front["t_rupture"][-1] is None:
@@ -62,7 +56,7 @@ def slowest(front):
 def make(results):
     known = sampled(fronts, [(seed,) for seed in SEEDS], "f_slip = 0")
     rows = (
-        [seed, *place, slowest(front), *types_of(front).values()]
+        [seed, *place, slowest(front), *(front_type(front, name) for name in CONVENTIONS)]
         for (seed,), found in (known or [((1,), fronts(1))])
         for place, front in found.items()
     )

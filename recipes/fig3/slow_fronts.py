@@ -5,8 +5,9 @@ Rows have the parameters of an interface by name, and what was measured.
 from collections import namedtuple
 
 import numpy as np
-from rupture.once import run
+from rupture.once import each, run
 
+import maps
 from measure.conventions import PRIMARY
 from measure.tables import numbers
 
@@ -25,7 +26,7 @@ WINDOWS = {  # options of `analyze slow-slip`
 
 
 def rounded(parameters):
-    """To 12 digits, as they are typed."""
+    """The parameters with 12 digits, as they are typed."""
     return {
         name: value if isinstance(value, str) else float(f"{value:.12g}")
         for name, value in parameters.items()
@@ -37,11 +38,14 @@ def option(name, value):
     return f"--set {name}={text}" if "." in name else f"--{name} {text}"
 
 
-def record_of(parameters, keep=()):
-    """Of a front on a prepared interface."""
-    words = (option(*of) for of in parameters.items())
-    start = run(f"prepare {' '.join(words)} -o start.h5")["start.h5"]
-    return run(f"restart {start} -o end.h5 --until-quiet {RECORDED}", keep)["record.h5"]
+def words_of(parameters):
+    """The options of `prepare` for these parameters."""
+    return " ".join(option(*of) for of in parameters.items())
+
+
+def record_of(parameters, kept=()):
+    """The record of a front on a prepared interface."""
+    return maps.record_of(words_of(parameters), RECORDED, kept)
 
 
 def front_of(variant, parameters):
@@ -52,6 +56,12 @@ def front_of(variant, parameters):
     }
     of_front = {"type": windows[PRIMARY].type, "point": record.work.own, "windows": windows}
     return {"variant": variant, **parameters, **of_front}
+
+
+def rows_of(variants, parameters, title, measure=front_of):
+    """The rows of the fronts of all variants; `parameters` is a function of what each changes."""
+    points = [(name, parameters(**of)) for name, several in variants.items() for of in several]
+    return [row for _, row in each(measure, points, title)]
 
 
 # --- rows --------------------------------------------------------------------------------------

@@ -5,18 +5,17 @@ from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
-from rupture.once import each, run
+from rupture.once import run
 
-from claims.samples import Samples, Unit, every, sampled
-from events import FINE, slip_times
+from claims.samples import every
+from events import FINE, WIDTH, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
-from maps import SEEDS
+from maps import over_seeds
 from measure.conventions import PRIMARY
 from measure.tables import numbers
 
 MM = 1e3  # [mm/m]
-WIDTH = 0.14 / 56  # of a block [m]
 ALIKE = 1.2  # ratio of the speeds of neighbouring blocks, at most
 STIFFNESSES = (1.5e9, 2.25e9, 4.5e9, 6e9)  # slider.E [Pa]
 K_I = {  # the variant in which k_i varies, by convention; primary: as the SI says
@@ -55,11 +54,13 @@ VARIANTS: dict[str, list] = {
 
 @cache
 def fronts(seed):
-    """Rows."""
+    """The rows of a seed."""
     common = {"sigma-bar": 0.1, "tau-bar": 0.1, "numerics.seed": seed}
-    changes = [(name, of) for name, variants in VARIANTS.items() for of in variants]
-    points = [(name, slow.rounded(common | of)) for name, of in changes]
-    return [row for _, row in each(slow.front_of, points, f"slow slip, seed {seed}")]
+
+    def parameters(**changed):
+        return slow.rounded(common | changed)
+
+    return slow.rows_of(VARIANTS, parameters, f"slow slip, seed {seed}")
 
 
 def longer(t_R):
@@ -97,7 +98,7 @@ def fit(rows):
 
 
 def fit_of(rows):
-    """Where each quantity could be varied: at two values or more, beside the reference."""
+    """The fit, if each quantity was varied: to two values or more, beside the reference."""
     counts = [sum(row["varies"] == name for row in rows) for name in ("t_R", "tau_slip", "k_i")]
     return fit(rows) if min(counts) >= 2 else slow.NO_FIT
 
@@ -113,8 +114,7 @@ def fits_of(seed):
 
 
 def each_seed():
-    found = sampled(fits_of, [(seed,) for seed in SEEDS], "slow slip")
-    return Samples({"": fits_of(1)}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    return over_seeds(fits_of, "slow slip")
 
 
 def inset(of, way):

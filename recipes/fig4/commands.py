@@ -8,10 +8,11 @@ from rupture.once import each, keep, run
 from rupture.reports import LOADING_ZONE, values
 
 import maps
-from claims.samples import Samples, Unit, every, sampled
-from events import EVENTS, all_continued, shown_event, units_of_branches, units_of_events, widened
+from claims.samples import Samples, every
+from events import EVENTS, NO_SLOW_SLIP, all_continued, shown_event, units_of_branches
+from events import units_of_events, widened
 from fig4 import strength
-from maps import COARSE, order, places_of, spaced  # noqa: F401  (order: of claim 4D)
+from maps import order, places_of, spaced  # noqa: F401  (order: of claim 4D)
 from measure.conventions import CONVENTIONS, PRIMARY
 from measure.front_map import types_of
 from measure.pairs import share_of_lower
@@ -20,7 +21,6 @@ REGION = 0.25  # from here on phi is changed [L]
 SHOWN = ("event II", "event I")  # the paper shows the first
 SHAPES = ("uniform", "bell")
 SIGMA_BARS = (0, 0.05, 0.1, 0.16, 0.2, 0.25, 0.285)  # of edges
-NO_SLOW_SLIP = "--set junctions.f_new=f_slip"
 
 
 # --- A-B: a wider phi --------------------------------------------------------------------------
@@ -104,16 +104,15 @@ def curves():
 def prepared_block(shape, tau_bar, sigma_bar):
     """How strong a block of a prepared interface is, and which front it lets pass."""
     prestress = f"--shape {shape} --tau-bar {tau_bar} --sigma-bar {sigma_bar}"
-    start = run(f"prepare {prestress} --set numerics.seed=1 -o start.h5")["start.h5"]
-    report = run(f"analyze strength {start}")
-    record = run(f"restart {start} -o end.h5 --until-quiet {COARSE}")["record.h5"]
-    front = run(f"analyze front {record}")
+    interface = f"{prestress} --set numerics.seed=1"
+    report = run(f"analyze strength {maps.start_of(interface)}")
+    front = run(f"analyze front {maps.record_of(interface)}")
     return strength.prepared_block(report, front, tau_bar, shape)
 
 
 @cache
 def prepared():
-    """Without those that cannot be prepared."""
+    """The blocks of interfaces, without those that cannot be prepared."""
     taus, sigmas = (0.1, 0.14, 0.18), spaced(0, 0.35, 0.05)
     points = [(shape, *place) for shape in SHAPES for place in places_of(taus, sigmas)]
     return [block for _, block in each(prepared_block, points, "prepared interfaces")]
@@ -138,9 +137,8 @@ def gathered(seed):
 
 
 def gathering():
-    found = sampled(gathered, [(seed,) for seed in maps.SEEDS], "seeds")
-    shown = {"": found[0][1]} if found else {}
-    return Samples(shown, {PRIMARY: [Unit(None, of) for _, of in found]})
+    units = maps.units_of_seeds(gathered, "seeds")
+    return Samples({"": units[0].sample} if units else {}, {PRIMARY: units})
 
 
 def friction(of, way):

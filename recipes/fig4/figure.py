@@ -52,7 +52,7 @@ def draw(events, stem):
 
 
 def numbers_of_edges(results):
-    """Where fronts become fast, and not arrested, with slow slip and without it."""
+    """The prestress from which fronts are fast, and not arrested, with slow slip and without it."""
     pairs = {s: [of[PRIMARY] for of in both] for s, both in edges_with_and_without().items()}
     rows = ((s, on["slow"], on["fast"], off["slow"]) for s, (on, off) in pairs.items())
     write_table(results / "edges.csv", EDGES, rows)

@@ -58,7 +58,7 @@ def largest_deviation(points, lines):
 
 
 def distance(block, lines):
-    """In mu_bar_eff, from the nearer of the curves."""
+    """The distance from the nearer of the curves, in mu_bar_eff."""
     curves = (np.interp(block.sigma_bar, *lines[shape]) for shape in CURVES)
     return min(abs(block.mu_bar_eff - curve) for curve in curves)
 

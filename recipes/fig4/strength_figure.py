@@ -12,7 +12,7 @@ CURVES = {"uniform": "-", "bell": "--"}
 
 
 def draw_kind(axes, kind, colour, blocks=(), **look):
-    """Without blocks, for the legend."""
+    """Draws the blocks of a kind; without blocks, for the legend."""
     x, y = ([getattr(b, q) for b in blocks if b.kind == kind] for q in ("sigma_bar", "mu_bar_eff"))
     face = "none" if kind == "loading zone" else colour
     axes.plot(x, y, MARKERS[kind], color=colour, markerfacecolor=face, markersize=3.2, **look)

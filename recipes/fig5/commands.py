@@ -46,7 +46,7 @@ def event():
 
 
 def shown_load():
-    """Until the second dynamic event is over."""
+    """The load in the picture, until the second dynamic event is over."""
     times = [checkpoint_at(time) for time in spaced(BRANCHED, 0.65, EVERY)]
     return run(
         f"load -o load.h5 --set driving.h=0 --until 0.65 --checkpoint-every {EVERY} {RECORDED}",
@@ -76,7 +76,8 @@ def stopped_at(load, stretch, branch, lasting):
 
 
 def shown_branch(number):
-    """That in the middle is shown until the next dynamic event."""
+    """A branch of the load in the picture. That in the middle goes on until the next dynamic
+    event."""
     stretch = measured(stretch_of, shown_load()["record.h5"], EVERY)
     branch = stretch.branches[number]
     of = stopped_at(shown_load(), stretch, branch, 0.08 if branch.middle else 0.02)
@@ -87,7 +88,7 @@ def shown_branch(number):
 
 @cache
 def branches():
-    """At each tenth of the stretch between the first two dynamic events."""
+    """The branches at each tenth of the stretch between the first two dynamic events."""
     stretch = measured(stretch_of, shown_load()["record.h5"], EVERY)
     points = [(number,) for number in range(len(stretch.branches))]
     return [*every(shown_branch, points, "driving stopped").values()]

@@ -91,6 +91,7 @@ def stretch_of(record, checkpoint_every):
 
 
 def advances_of(record, stopped, interval_from, t_branch):
-    """By how many blocks the tip advances after a branch, with the driving and without it."""
+    """The number of blocks by which the tip advances after a branch, with the driving and without
+    it."""
     found = advances(read_ruptures(record), read_ruptures(stopped), interval_from, t_branch)
     return found | {"c_s": rupture.open(record).c_s}

@@ -19,7 +19,8 @@ class Stress:
         self.F_T, self.F_N, self.L = stress["F_T"], stress["F_N"], self.x[-1]
 
     def centroid(self):
-        """From the middle of the interface, at the undeformed positions [m]."""
+        """The distance of the centroid of p from the middle of the interface, at the undeformed
+        positions [m]."""
         return np.sum(self.p * (self.x - self.L / 2)) / np.sum(self.p)
 
 

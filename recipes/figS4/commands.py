@@ -32,7 +32,7 @@ def phi(of, _):
 
 
 def early_branches():
-    """Those before the region in which phi changes."""
+    """The branches before the region in which phi changes."""
     found = branches()
     return Samples(found.shown, {PRIMARY: found.units[PRIMARY]})
 

@@ -7,7 +7,7 @@ from rupture.once import keep, run
 
 import events
 import maps
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Samples
 from events import FINE, LAWS, shown_events, shown_load
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim S6A)
 from fig4 import commands as fig4
@@ -59,9 +59,8 @@ def both_maps(seed):
 
 def beside_reference():
     """A sample is this map and that of Figure 4 D, of a seed."""
-    found = sampled(both_maps, [(seed,) for seed in maps.SEEDS], "maps")
-    shown = {"": dict(found)[(1,)]} if found else {}
-    return Samples(shown, {PRIMARY: [Unit(None, of) for _, of in found]})
+    units = maps.units_of_seeds(both_maps, "maps")
+    return Samples({"": units[0].sample} if units else {}, {PRIMARY: units})
 
 
 def slow_range(both, way):

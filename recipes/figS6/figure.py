@@ -11,7 +11,7 @@ from measure.conventions import PRIMARY
 from measure.map_panels import write_map
 from measure.tables import write_events, write_fronts
 
-RUNS = {  # run: label, colour, marker
+LOOKS = {  # run: label, colour, marker
     "event": (r"$\langle t_R\rangle$ (as in A)", AS_IT_IS, "o"),
     "t_R-double": (r"$2\,\langle t_R\rangle$", CHANGED, "^"),
 }
@@ -19,7 +19,7 @@ SLOW_BELOW = (20, 8, 10, 30, 40)  # c_s over these
 
 
 def draw_speeds(axes, fronts):
-    draw_front_speeds(axes, fronts, RUNS)
+    draw_front_speeds(axes, fronts, LOOKS)
     limit = fronts["event"]["c_s"] / 10
     axes.axhline(limit, color=BLACK, linewidth=0.8)
     name_line(axes, "$c_s/10$", limit)
@@ -39,7 +39,7 @@ def draw(record, fronts, stem):
 
 
 def make(results):
-    of_runs = dict(zip(RUNS, (event().front, event().front_double)))
+    of_runs = dict(zip(LOOKS, (event().front, event().front_double)))
     draw(event().record, of_runs, results / "figS6A")
     write_fronts(results / "front-speed.csv", of_runs)
     spanning = (one for one in shown_events(LAW)[PRIMARY] if one["spanning"])

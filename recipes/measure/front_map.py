@@ -25,7 +25,7 @@ def beyond_trigger(front):
 
 
 def front_type(front, way=PRIMARY):
-    """By one of WAYS."""
+    """The type of a front by one of WAYS."""
     return IMPOSSIBLE if front is None else type_on_map(front["types"][way])
 
 
@@ -149,8 +149,8 @@ def order_in_words(types):
 
 
 def slow_range(types):
-    """By how much tau_bar_0 varies over slow fronts on a regular grid: their number at a sigma_bar,
-    times the distance of grid points; the median over sigma_bar."""
+    """The range of tau_bar_0 over slow fronts on a regular grid: their number at a sigma_bar, times
+    the distance of grid points; the median over sigma_bar."""
     taus, sigmas = axes_of(types)
     slow = [sum(types.get((tau, sigma)) == "slow" for tau in taus) for sigma in sigmas]
     return float(np.median(slow)) * (taus[1] - taus[0])

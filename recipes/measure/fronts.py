@@ -12,7 +12,7 @@ TYPES = ("arrested", "slow", "fast")  # on prepared interfaces
 
 
 def middle_of(stretch):
-    """In time [s]."""
+    """The time in the middle of a stretch [s]."""
     return (stretch["t_from"] + stretch["t_to"]) / 2
 
 
@@ -29,11 +29,6 @@ def is_fast_slow(front):
         slow["fast_before"] >= FAST_OVER_SLOW * slow["speed"]
         and (slow["duration"] or 0) >= SLOW_FOR
     )
-
-
-def has_slow_stretch(front):
-    """Spans the interface, with a slow stencil beyond the loading zone."""
-    return front["type"] == "slow"
 
 
 def is_fast_only(front):

@@ -67,8 +67,12 @@ def name_regions(axes, types):
         axes.annotate(kind, (sigma, tau), ha="center", va="center", path_effects=[halo])
 
 
-def draw_key(axes):
-    """The colours of the regions, for maps too small for names in each: right of the last map."""
+def draw_maps(panels, maps, titles):
+    """Small maps side by side, with the names of their regions right of the last one."""
+    for axes, (name, fronts) in zip(panels, maps.items()):
+        types = types_of(fronts)
+        draw_regions(axes, types, types)
+        axes.set(title=titles[name], **({} if axes is panels[0] else {"ylabel": ""}))
     patches = [Patch(facecolor=COLOURS[kind], label=kind) for kind in reversed(TYPES)]
     handles = [*patches, *axes.get_legend_handles_labels()[0]]
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5), handlelength=1)

@@ -1,4 +1,4 @@
-"""CSV tables with one line of names, which figures write and read again; columns of rows."""
+"""CSV tables with one line of names; columns of rows."""
 
 import csv
 
@@ -53,20 +53,6 @@ def write_events(path, events, columns):
         for event in events
     )
     write_table(path, [*columns, "t_start [s]", "backward stencils", *SLOW_STRETCH.values()], rows)
-
-
-def read_table(path):
-    """Reads columns by name; as numbers if all cells are numbers."""
-    with open(path, newline="", encoding="utf-8") as file:
-        names, *rows = csv.reader(file)
-    return {name: as_numbers(column) for name, column in zip(names, zip(*rows))}
-
-
-def as_numbers(column):
-    try:
-        return np.array(column, dtype=float)
-    except ValueError:
-        return np.array(column)
 
 
 def read_rows(path):

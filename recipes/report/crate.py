@@ -73,7 +73,7 @@ def article(paper):
 
 
 def software():
-    """With its licence and the paper, from CITATION.cff."""
+    """Rupture itself with its licence and the paper, from CITATION.cff."""
     cited = yaml.safe_load(CITATION.read_text(encoding="utf-8"))
     licence = entity(
         f"https://spdx.org/licenses/{cited['license']}",
@@ -141,7 +141,7 @@ def described(root, name):
 
 
 def checkpoints_of(results, jobs):
-    """Those that the store keeps, and records, by the checksums of their content."""
+    """The checkpoints and records that the store keeps, by the checksums of their content."""
     places = ((results / "store" / place_of(own, name), sum) for own, name, sum in files_of(jobs))
     return [
         file_entity(results, path, identifier=f"content-sha256:{checksum}")

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from report.caption import as_html, filled, of_files, seen
+from report.caption import as_html, filled, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_results
 from claims.table import read, table
 from claims.own_result import read_own
@@ -20,7 +20,7 @@ from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
 from report import jobs as of_jobs
-from report import origin
+from report import machine
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from report.written import take
@@ -32,12 +32,11 @@ MANY = 12  # commands of a step, beyond which only their number is of interest
 MANY_SUMS = 100  # checksums
 COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
-SMALL = 0.31  # pixels of the page for one of a picture's in the gallery: texts can be read
 
 
 def picture(path, alt):
-    """Its files, its size in pixels, and what is seen, in words. Width and height stand in a PNG
-    after its signature and the name of the first chunk."""
+    """The files of a picture, its size in pixels, and what is seen, in words. Width and height
+    stand in a PNG after its signature and the name of the first chunk."""
     with open(path, "rb") as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":
@@ -65,7 +64,7 @@ class Recipe:
         self.claims, self.numbers, _ = read_results(folder / CLAIMS)
         self.own = read_own(folder)
         there = {path.name for path in folder.iterdir()}
-        caption = filled(of_files(readme.caption, there), self.claims + self.own)
+        caption = filled(readme.caption, self.claims + self.own)
         self.caption = as_html(caption, shown)
         self.pictures = [
             picture(path, seen(path.name, readme.title, caption))
@@ -149,10 +148,10 @@ def contents(root, paper):
         "verdicts": as_html(verdicts, shown),
         "jobs": jobs,
         "last": max((job.get("started", 0) for job in jobs), default=0),
-        "run": origin.last_run(root, jobs),
+        "run": machine.last_run(root, jobs),
         "builds": builds,
-        "build": origin.present_build(),
-        "processor": origin.processor(),
+        "build": machine.present_build(),
+        "processor": machine.processor(),
     }
 
 
@@ -172,7 +171,7 @@ def render(content):
         steps=of_jobs.steps,
         typeset=typeset,
     )
-    environment.globals.update(SMALL=SMALL, MANY=MANY, MANY_SUMS=MANY_SUMS)
+    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 

@@ -59,7 +59,7 @@ def write_numbers(path, numbers):
 
 
 def table_of(rows):
-    """As Markdown, those of which the paper has a number."""
+    """The table in Markdown, with the rows of which the paper has a number."""
 
     def cell(row, *names):
         found = [number(float(row[name])) if row[name] else "" for name in names]
@@ -84,12 +84,11 @@ def counts_of(rows):
 
 
 def sentences(root):
-    """From the tables in docs/."""
+    """The results in words, from the tables in docs/."""
     rows, numbers = (read_rows(root / name) for name in (TABLE, NUMBERS))
     results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
     for name, kind in (("findings", "finding"), ("checks", "check")):
         results[name] = counts_of([row for row in rows if row["kind"] == kind and row["verdict"]])
-    results["numbers"] = {"events": numbers[0]["of"].split()[2]}
     first = (row for row in read_rows(root / FIRST) if row["fixed"].startswith(FIRST_ROUND))
     results["first"] = counts_of([*first])
     text = filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])

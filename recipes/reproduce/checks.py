@@ -109,7 +109,7 @@ def compile_commands():
 
 
 def compile_each_alone(request, processes):
-    """Without precompiled headers and groups of files, which hide that an #include is missing."""
+    """Compiles each file alone: precompiled headers and groups of files hide a missing #include."""
     set_up(processes, "configure", "check")
     commands = Path("build/check/commands")
     commands.write_text("\n".join(compile_commands()))
@@ -119,7 +119,8 @@ def compile_each_alone(request, processes):
 
 
 def check_sources(request, processes):
-    """Without the headers of libraries, which the compiler sees, cppcheck takes seconds."""
+    """Runs cppcheck, which takes seconds without the headers of libraries; the compiler sees
+    those."""
     ensure_packages(processes, "build", "run", "check")
     for command, sentence in CHECKS.items():
         layout = re.search("/usr/bin/(clang-format|black) ", command)

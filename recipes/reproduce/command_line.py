@@ -61,7 +61,7 @@ def version(_):
 
 
 def profile_at(text):
-    """Its `step`; None for this machine."""
+    """The `step` of a profile; None for this machine."""
     if text == "local":
         return None
     folder = Path(text) if "/" in text else SHARE / PROFILES / text

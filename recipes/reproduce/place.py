@@ -1,4 +1,4 @@
-"""Where commands run: on this machine, or in an allocation of SLURM (docs/cluster.md)."""
+"""The place where commands run: on this machine, or in an allocation of SLURM (docs/cluster.md)."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""Where files are, and how the commands print."""
+"""The places of files, and how the commands print."""
 
 import errno
 import os

@@ -26,7 +26,7 @@ SCRIPT = "commands.sh"
 
 
 class MadeBy:
-    """For the metadata of pictures: what draws them, and the files behind them so far."""
+    """The metadata of pictures: what draws them, and the files behind them so far."""
 
     def __init__(self, recipe, asked):
         self.recipe, self.asked = recipe, asked

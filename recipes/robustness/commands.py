@@ -6,7 +6,7 @@ from functools import cache
 from rupture.once import run
 
 import maps
-from claims.samples import Samples, Unit, every, sampled
+from claims.samples import Samples, every
 from events import FINE, LAWS, units_of_runs
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim exponential-event)
 from fig3.commands import continued
@@ -28,7 +28,7 @@ def each_run():
 
 @cache
 def exponential_map():
-    """As in Figure 4 D. A grid, one seed."""
+    """A map on the grid of Figure 4 D, with one seed."""
     grid = places_of(spaced(0.03, 0.41, 0.02), spaced(0, 0.285, 0.015))
     return fronts_at(grid, [1], LAWS["exponential"], "exponential map", plain_front_at)
 
@@ -69,7 +69,7 @@ def geometry():
 
 
 def geometry_of_seed(seed):
-    """With fronts of this seed at places next to another type on one of these maps."""
+    """The maps with fronts of this seed at places next to another type on one of these maps."""
     beside = {place for of in geometry().values() for place in front_map.boundary(types_of(of))}
     found = {}
     for name, options in SLIDERS.items():
@@ -79,8 +79,8 @@ def geometry_of_seed(seed):
 
 
 def each_seed():
-    found = sampled(geometry_of_seed, [(seed,) for seed in maps.SEEDS], "geometry")
-    return Samples({"": geometry()}, {PRIMARY: [Unit(None, of) for _, of in found]})
+    units = maps.units_of_seeds(geometry_of_seed, "geometry")
+    return Samples({"": geometry()}, {PRIMARY: units})
 
 
 def order_of_all(fronts, way):

@@ -7,7 +7,7 @@ from rupture.reports import values
 from claims.own_result import OwnResult, write_own
 from maps import width
 from measure.front_map import TYPES, axes_of, band, types_of, write_variants
-from measure.map_panels import draw_key, draw_regions
+from measure.map_panels import draw_maps
 from robustness.commands import distance_bands, distance_event, distance_maps
 
 TITLES = {f"d_R {d} um": rf"$d_R = {d}\,\mu$m" for d in (0.3, 1, 3, 10)}
@@ -69,11 +69,7 @@ def draw_event(axes, fronts):
 def draw(maps, fronts, stem):
     fig, panels = lettered("ABCDE", DOUBLE, 0.3 * DOUBLE)
     draw_event(panels["A"], fronts)
-    for text, (name, map_) in zip("BCDE", maps.items()):
-        types = types_of(map_)
-        draw_regions(panels[text], types, types)
-        panels[text].set(title=TITLES[name], **({} if text == "B" else {"ylabel": ""}))
-    draw_key(panels["E"])
+    draw_maps([panels[text] for text in "BCDE"], maps, TITLES)
     save(fig, stem)
 
 

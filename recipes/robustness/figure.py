@@ -1,18 +1,24 @@
-"""Exponential slipping times: events and map of front types; other geometries and the distance law
-are in the modules beside this one."""
+"""Exponential slipping times, and other geometries; the distance law is in distance.py."""
 
 import numpy as np
-from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, save
+from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, lettered, save
 from rupture.reports import values
 
 from events import shown_events
 from measure.conventions import PRIMARY
-from measure.front_map import types_of, write_types
+from measure.front_map import types_of, write_types, write_variants
 from measure.fronts import is_fast_only
-from measure.map_panels import draw_regions, name_regions
+from measure.map_panels import draw_maps, draw_regions, name_regions
 from measure.tables import write_events
-from robustness import distance, geometry
-from robustness.commands import exponential_map
+from robustness import distance
+from robustness.commands import exponential_map, geometry
+
+TITLES = {
+    "L x 0.75": r"$0.75\,L$",
+    "L x 1.5": r"$1.5\,L$",
+    "trigger 0.2": r"$\bar\tau_\mathrm{trigger} = 0.2$",
+    "trigger 0.4": r"$\bar\tau_\mathrm{trigger} = 0.4$",
+}
 
 
 def draw(events, stem):
@@ -44,4 +50,7 @@ def make(results):
     save(fig, results / "exponential-map")
     write_types(results / "exponential-map.csv", fronts)
     distance.make(results)
-    geometry.make(results)
+    fig, panels = lettered("ABCD", DOUBLE, 0.32 * DOUBLE, sharey=True)
+    draw_maps([*panels.values()], geometry(), TITLES)
+    save(fig, results / "geometry")
+    write_variants(results / "geometry.csv", geometry())

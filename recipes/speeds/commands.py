@@ -3,11 +3,12 @@
 from functools import cache
 from itertools import product
 
-from rupture.once import each, measured, run
+from rupture.once import measured, run
 
 from claims.samples import every
 from events import checkpoint_at
-from fig3.slow_fronts import option, rounded
+from fig3.slow_fronts import rounded, rows_of, words_of
+from maps import record_of
 from measure.fronts import front_spans
 from speeds.slip_history import history_of
 
@@ -55,11 +56,7 @@ VARIANTS = {
 def front_of(variant, parameters):
     """(row of the parameters, front, slip of four blocks). Records of each microsecond are too
     large to keep."""
-    words = (option(*of) for of in parameters.items())
-    start = run(f"prepare {' '.join(words)} -o start.h5")["start.h5"]
-    record = run(f"restart {start} -o end.h5 --until-quiet --record record.h5 --record-every 1e-6")[
-        "record.h5"
-    ]
+    record = record_of(words_of(parameters), "--record record.h5 --record-every 1e-6")
     front = run(f"analyze front {record}")
     slips = [run(f"analyze slip {record} --x {x}") for x in PLACES]
     return {"variant": variant, **parameters}, front, slips
@@ -67,9 +64,9 @@ def front_of(variant, parameters):
 
 @cache
 def fronts():
-    """Those that span."""
-    points = [(name, parameters(**of)) for name, variants in VARIANTS.items() for of in variants]
-    return [of for _, of in each(front_of, points, "fronts") if front_spans(of[1])]
+    """The fronts that span."""
+    found = rows_of(VARIANTS, parameters, "fronts", front_of)
+    return [(row, front, slips) for row, front, slips in found if front_spans(front)]
 
 
 # --- loads -------------------------------------------------------------------------------------

@@ -9,14 +9,14 @@ import shlex
 from contextlib import suppress
 from functools import cached_property
 
-from rupture.commands.code import RUNS
+from rupture.commands.code import WRITERS
 from rupture.commands.identity import AT_TIME, PLAIN, outputs_in
 from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.tools.command_line import check_known, suggestion
 from rupture.units import AMOUNT, in_si
 
-PROGRAMS = ("analyze", *RUNS)
+PROGRAMS = ("analyze", *WRITERS)
 HOLE = re.compile(r"\{([^{}]*)\}")
 MASK = re.compile("\0([0-9]+)\0")  # no text has these
 VALUES = "values"

@@ -22,7 +22,6 @@ from fixture import JUDGED, NOT_RUN, POINTS, START, Project, result, results_of,
 
 FIGURES = [*(f"fig{n}" for n in range(1, 5)), *(f"figS{n}" for n in range(1, 7))]
 RECIPES = [*FIGURES, *sorted({table()[claim]["recipe"] for claim in JUDGED} - {*FIGURES})]
-MEAN = "<math><mo>⟨</mo><msub><mi>t</mi><mi>R</mi></msub><mo>⟩</mo></math>"
 ITEM = "<li><strong>A</strong>: it is slow; <code>front.csv</code>: how slow.</li>"
 # What sections say: their name, and the text, which may go over several lines.
 SAYS = [
@@ -32,8 +31,8 @@ SAYS = [
     ("fig3", 'href="fig3/front.csv"'),
     ("fig3", 'href="fig3/claims.json"'),
     ("fig3", 'src="fig3/fig3.png"'),
-    ("fig3", 'alt="Title of fig3 &amp; more. A: it is slow. B: the README."'),
-    ("fig3", f"<em>slow</em> part takes {MEAN}"),
+    ("fig3", 'alt="Title of fig3 &amp; &lt;more&gt;. The slow part takes ⟨t_R⟩."'),
+    ("fig3", "<em>slow</em> part takes ⟨t<sub>R</sub>⟩"),
     ("fig3", ITEM),
     ("fig3", '<a href="#figS3">another</a>; the README'),
     ("fig3", "load -o fig3.h5 --until 1.2 analyze front fig3.h5</code>"),
@@ -71,23 +70,27 @@ CAPTIONS = [  # a caption, and what becomes of it
     ),
     ("First. It runs at {5A: speed\n[m/s]} in Fig. {5B: list [mm]}. Last.", "<p>First. Last.</p>"),
     (
-        "- `fig2.png`, `no.csv`: is here; `no.csv`: not.\n- `no.csv`: no.\n- two.",
-        "is here</li> <li>two.</li>",
-    ),
-    (
         "- one;\n- {5A: speed [m/s]} of {5A: all};\n- two.",
         "<li> <p>one;</p> </li> <li> <p>two.</p> </li>",
     ),
 ]
-C_S = "<msub><mi>c</mi><mi>s</mi></msub>"
-TAU_BAR = '<mover><mi>τ</mi><mo stretchy="false">¯</mo></mover>'
 TYPESET = {
-    "at v_slow slip": "at <math><msub><mi>v</mi><mtext>slow slip</mtext></msub></math>",
-    "tau_bar_0": f"<math><msub>{TAU_BAR}<mn>0</mn></msub></math>",
-    "<c_s>": f"<math><mo>⟨</mo>{C_S}<mo>⟩</mo></math>",
-    "1e-12": "<math><msup><mn>10</mn><mn>−12</mn></msup></math>",
+    "at v_slow slip": "at v<sub>slow slip</sub>",
+    "tau_bar_0": "τ̄<sub>0</sub>",
+    "<c_s>, R^2 +- 3e-12": "⟨c<sub>s</sub>⟩, R<sup>2</sup> ± 3e-12",
     "57 x 31 > front_speed <b>": "57 × 31 &gt; front_speed &lt;b&gt;",
+    "`tau_bar` of k_ij": "`tau_bar` of k<sub>ij</sub>",
 }
+HOSTILE = """<script>f()</script> <img src=x onerror=f()> &lt;b> <http://h.i> [a](javascript:b)
+
+<div onclick="f()">
+c
+</div>
+
+![d](https://e.f/g.png) ![h][i] <!-- j --> <k@l.m> `<i>n</i>`
+
+[i]: https://e.f/g.png
+"""
 CLAIM = result("3A")
 REFUSED = [  # a file of fig3, what is wrong in it, and what is said
     *(
@@ -183,7 +186,7 @@ def test_lists_every_judged_claim_in_order(page):
 def test_orders_recipes_as_the_paper_does_each_with_its_picture(page):
     names = re.findall(r'<section id="([^"]+)"', page)
     assert names == ["gallery", *RECIPES, "claims", "numbers", "verdicts", "build"]
-    card = r'<a class="card" href="#(\w+)">\s*<span class="crop"><img src="([^"]+)"'
+    card = r'<a class="card" href="#(\w+)">\s*<span class="thumbnail"><img src="([^"]+)"'
     assert re.findall(card, page) == [(name, f"{name}/{name}.png") for name in RECIPES]
 
 
@@ -227,20 +230,43 @@ def test_captions_hold_numbers_and_leave_out_sentences_without_any(project, capt
 
 
 @pytest.mark.parametrize("text", TYPESET)
-def test_symbols_become_mathml_and_other_words_are_left(text):
+def test_symbols_are_unicode_and_other_words_are_left(text):
     assert typeset(text) == TYPESET[text]
 
 
-def test_alternative_texts_say_what_the_caption_says_of_the_picture():
-    caption = "Above <t_R>.\n\n- **A, B**: what *is* slow, against Eq. S1; red: fast. More.\n"
-    assert seen("fig1.png", "T", caption) == "T. A, B: what is slow, against Eq. S1; red: fast."
+def test_alternative_texts_are_the_first_sentence_about_the_picture():
+    caption = "Above <t_R> and Eq. S1. More.\n\n- **C** (`c.png`, `d.csv`): no; *yes*.\n"
+    caption += "- `b.png`: it. No.\n"
+    assert seen("a.png", "T", caption) == "T. Above ⟨t_R⟩ and Eq. S1."
+    assert seen("b.png", "T", caption) == "T. it."
+    assert seen("c.png", "T", caption) == "T. C: no; yes."
+
+
+def tags_in(page):
+    return {*re.findall(r"<(/?\w+)", page)}
+
+
+def test_html_in_texts_is_shown_as_text(project):
+    page = as_html(HOSTILE, ())
+    assert tags_in(page) == {"p", "/p", "code", "/code", "a", "/a"}
+    assert {*re.findall('href="([^"]*)', page)} == {"https://e.f/g.png"}
+    spill(project.root / "recipes/fig2/README.md", f"# {HOSTILE}\n## Caption\n\n{HOSTILE}")
+    path = project.results / "fig2/claims.json"
+    rows = json.loads(path.read_text())
+    rows["claims"][0] |= dict.fromkeys(("paper", "reason", "note", "acceptance"), HOSTILE)
+    rows["claims"][0]["measured"] = {HOSTILE: HOSTILE}
+    before = tags_in(page_of(project))
+    path.write_text(json.dumps(rows))
+    after = page_of(project)
+    assert tags_in(after) <= before and "&lt;script&gt;f()" in after
+    assert not re.search(r"<[^>]*\son(click|error)=", re.sub(r'"[^"]*"', "", after))
 
 
 def test_measured_texts_are_no_markdown():
     text = "[a](javascript:b) ![c](https://d.e/f.png) *g* <https://h.i>"
     claim = types.SimpleNamespace(id="2A", measured={"type": text})
     shown = as_html(filled("It is {2A: type}.", [claim]), ())
-    assert not re.findall("<(?!/?(p|math|mi)>)", shown) and "[a](javascript:b)" in shown
+    assert tags_in(shown) == {"p", "/p"} and "[a](javascript:b)" in shown
 
 
 @cache
@@ -260,7 +286,7 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
     if recipe == "README":
         text, scripts = readme.SENTENCES, [*(ROOT / "recipes").rglob("*.py")]
         known = table()
-        ids = {*known, "choices", "precursors", "findings", "checks", "first", "numbers"}
+        ids = {*known, "choices", "precursors", "kinds", "findings", "checks", "first"}
     else:
         folder, known = ROOT / "recipes" / recipe, table(paper_of(recipe))
         text = (folder / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]

@@ -11,7 +11,7 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from measure.tables import read_table
+from measure.tables import read_rows
 from rupture.figures import figure, save
 from sweeps.picture import as_typed, cells, draw, draw_line, edges, middle, space_labels
 from sweeps.sweep import find
@@ -37,7 +37,8 @@ COLUMNS = [
 
 def test_hdf5_has_what_the_csv_has(tmp_path):
     write_csv(tmp_path / "t.csv", COLUMNS)
-    table = read_table(tmp_path / "t.csv")
+    rows = read_rows(tmp_path / "t.csv")
+    table = {name: [row[name] for row in rows] for name in rows[0]}
     assert list(table) == ["driving.V [m/s]", "seed", "speed of σ [m/s]", "spanning", "sentence"]
     assert [*table["speed of σ [m/s]"]] == ["0.30000000000000004", "", "12"]
     assert [*table["spanning"]] == ["true", "", "false"]

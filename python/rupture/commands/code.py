@@ -19,8 +19,8 @@ from rupture.errors import Failure, UsageError
 from rupture import programs
 from rupture.programs import DRAWING, PACKAGE
 
-RUNS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints and records
-OURS = ("analyze", *RUNS, *DRAWING)
+WRITERS = ("load", "prepare", "restart", "modify-phi")  # they write checkpoints and records
+OURS = ("analyze", *WRITERS, *DRAWING)
 OF_BUILD = b".rupture_version"  # cmake/WriteVersion.cmake
 NOT_COMPUTED_WITH = (b".note.gnu.build-id", OF_BUILD)
 ELF = b"\x7fELF\x02"
@@ -47,7 +47,7 @@ def stamp_of(path):
 
 @cache
 def digest_at(path, _stamp):
-    """Of a file; of a program only what is in memory when it runs."""
+    """The digest of a file; of a program only what is in memory when it runs."""
     content = Path(path).read_bytes()
     if not content.startswith(ELF):
         return digest(content)
@@ -81,7 +81,7 @@ def build_at(path, _stamp):
 
 
 def path_of(program):
-    """Of a program of ours, or of any other on the PATH."""
+    """The path of a program of ours, or of any other on the PATH."""
     found = programs.path_of(program) if program in OURS else shutil.which(program)
     if not found:
         raise UsageError(f"there is no program {program}, neither in rupture nor on the PATH")
@@ -89,7 +89,7 @@ def path_of(program):
 
 
 def digest_of_program(program, store):
-    """Of one that draws: of its modules, and of `analyze`, which it asks."""
+    """The digest of a program, or of the modules of one that draws, and of `analyze`."""
     if program in DRAWING:
         modules = digest_of_modules(PACKAGE / f"tools/{program}.py", store)
         return digest(modules, digest_of_program("analyze", store))
@@ -97,9 +97,9 @@ def digest_of_program(program, store):
 
 
 def digest_of_function(function, store):
-    """Of its module and what this imports of ours, and of programs, which it may run."""
+    """The digest of its module, what this imports of ours, and programs, which it may run."""
     module = Path(function.__code__.co_filename).resolve()
-    programs = (digest_of_program(name, store) for name in ("analyze", *RUNS))
+    programs = (digest_of_program(name, store) for name in ("analyze", *WRITERS))
     return digest(digest_of_modules(module, store), function.__qualname__, *programs)
 
 

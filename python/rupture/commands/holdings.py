@@ -26,8 +26,8 @@ class Scope:
 
 
 class Holdings:
-    """By ids of commands, `folders` with their files, those used last at the end; `owners`: how
-    many open points have named them; `readers`: who needs their files now."""
+    """What is held. By ids of commands, `folders` with their files, those used last at the end;
+    `owners`: how many open points have named them; `readers`: who needs their files now."""
 
     def __init__(self, store, cap):
         self.store = store

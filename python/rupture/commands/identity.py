@@ -7,7 +7,7 @@ import shlex
 from functools import cached_property
 from pathlib import Path
 
-from rupture.commands.code import OURS, RUNS, build_at, digest, digest_at
+from rupture.commands.code import OURS, WRITERS, build_at, digest, digest_at
 from rupture.commands.code import digest_of_function, stamp_of
 from rupture.errors import Failure, MachineFailure, NoSuchName, UsageError, is_of_machine
 
@@ -15,7 +15,10 @@ TOKEN = re.compile(r"@([0-9a-f]{16})/([\w.+-]+)")  # a made file in a command
 OUTPUTS = ("-o", "--output", "--record")
 PLAIN = re.compile(r"\w[\w.+-]*")
 AT_TIME = re.compile(r"-t\d+\.\d{9}(?=\.\w+$)")  # of a checkpoint during a run
-SAID = {"analyze": ["--json"], **dict.fromkeys(RUNS, ["--quiet", "--json"])}  # which nobody types
+SAID = {
+    "analyze": ["--json"],
+    **dict.fromkeys(WRITERS, ["--quiet", "--json"]),
+}  # which nobody types
 
 
 class Refused(Failure):
@@ -147,7 +150,7 @@ class Command(Work):
         return build_at(self.path, stamp_of(self.path))
 
     def done_in(self, folder, executor):
-        """Its result in a folder with its inputs. Raises Failure if there is none."""
+        """The result in a folder with its inputs. Raises Failure if there is none."""
         said = SAID.get(self.program, [])
         words = [self.path, *self.words[1:], *(w for w in said if w not in self.words)]
         try:

@@ -14,11 +14,11 @@ from rupture.errors import Failure
 
 
 class Unknown(SystemExit):
-    """Of what nobody has run, and what shall not run now."""
+    """Raised for what nobody has run, and what shall not run now."""
 
 
 class Untold:
-    """In a dry run, the report of what nobody has done: who needs a value of it gets no further."""
+    """The report of what nobody has done, in a dry run: who needs a value of it gets no further."""
 
     def unknown(self, *_):
         raise Unknown
@@ -86,7 +86,7 @@ class Making:
         return path
 
     def path(self, made):
-        """Of a file, which is made again if it is gone."""
+        """The path of a file, which is made again if it is gone."""
         if not (path := self.found(made)):
             self.answer(self.do(made.work))
             path = self.found(made)
@@ -103,7 +103,7 @@ class Making:
     # --- doing it
 
     def do(self, work):
-        """Its result. One does it; others who want it wait."""
+        """Returns the result of a work. One does it; others who want it wait."""
         if self.scope.only_known:
             self.check_sources(work)
             raise Unknown(work.own)

@@ -1,4 +1,4 @@
-"""As many threads at work as there are cores. Whoever waits lets another one work."""
+"""A pool of threads: as many work as there are cores. Whoever waits lets another one work."""
 
 import threading
 from collections import deque

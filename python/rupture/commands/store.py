@@ -175,7 +175,7 @@ class Store:
 
 
 class Onlooker(Store):
-    """Of a dry run: it writes nothing, and may look while a call works."""
+    """The store of a dry run: it writes nothing, and may look while a call works."""
 
     def __init__(self, folder):
         self.folder = Path(folder).absolute()
@@ -194,7 +194,7 @@ class Onlooker(Store):
 
 
 def place_of(own, name):
-    """Of a file in the folder of a store."""
+    """The place of a file in the folder of a store."""
     return f"{own[:2]}/{own}.{name}"
 
 

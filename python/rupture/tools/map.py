@@ -132,8 +132,8 @@ def fronts_of(shown):
 
 
 def patches_of(record):
-    """Where parameters change along x [x/L], by name: between two blocks, or at the ends of a
-    slope."""
+    """The places where parameters change along x [x/L], by name: between two blocks, or at the ends
+    of a slope."""
     between, found = (record.x[1:] + record.x[:-1]) / (2 * record.x[-1]), {}
     for name, values in record.parameters.items():
         if isinstance(values, list):
@@ -161,7 +161,7 @@ def gaps_of(record, times):
 
 
 def draw_front_lines(axes, shown, t_zeros, windows):
-    """Where the fronts of several records are at which time within their windows [ms]."""
+    """Draws when the fronts of several records are where, within their windows [ms]."""
     colours = itertools.cycle(plotting.LINES)
     for one, t_zero, window, colour in zip(shown, t_zeros, windows, colours):
         label = plotting.plain_text(one.record.path.name)

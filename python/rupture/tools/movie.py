@@ -137,7 +137,7 @@ class Loading:
 
 
 def front_at(time, fronts):
-    """Where the front is that began last, [x/L]; NaN before the first. `fronts` are reports of
+    """The place of the front that began last, [x/L]; NaN before the first. `fronts` are reports of
     `analyze front` in the order of time."""
     place = np.nan
     for front in fronts:

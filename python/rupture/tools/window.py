@@ -31,8 +31,8 @@ def open_record(path):
 
 
 def last_rupture(event):
-    """Of an event, as far as the record shows it [s]. If the event is not over, blocks that rupture
-    again do not count."""
+    """The last rupture of an event, as far as the record shows it [s]. If the event is not over,
+    blocks that rupture again do not count."""
     if event["t_end"] is not None:
         return event["t_end"]
     return max(t for t in (*event["t_rupture"], event["t_start"]) if t is not None)

@@ -58,7 +58,7 @@ def arrays_of(checkpoint):
 
 
 def fields_of(record):
-    """Its steps. A run also samples the interface when it stores a field."""
+    """The steps of the fields. A run also samples the interface when it stores a field."""
     if not record.finished:
         raise Failure(f"{record.path} is unfinished: complete it with rupture finish")
     if "fields/time" not in record:
@@ -79,8 +79,8 @@ def fields_of(record):
 
 
 def steps_of(files):
-    """In order of time. There is one checkpoint per time: the last of a run is often also its
-    end."""
+    """The steps in order of time. There is one checkpoint per time: the last of a run is often also
+    its end."""
     if len(files) == 1 and isinstance(files[0], Record):
         return fields_of(files[0])
     series: dict = {}

@@ -1,4 +1,4 @@
-"""Where results come from: the programs as they are now, the machine, the last run."""
+"""The programs as they are now, the machine, and the last run."""
 
 import json
 import os
