@@ -85,6 +85,7 @@ def make(name, file, place):
     from report.jobs import jobs_of, write_jobs
     from report.written import refuse_others
     from reproduce.recipes import note_asked, publish
+    from rupture import figures
     from rupture.commands.script import with_sources
     from sweeps.sweep import Sweep
     from sweeps.table import UNFINISHED, summary, write_results
@@ -100,6 +101,7 @@ def make(name, file, place):
         computed = once.each(points.compute, missing, sweep.title)
     found |= {point.number: row for (point,), row in computed}
     rows = [found[point.number] for point in sweep.points]
+    figures.made_by = [f"./reproduce.sh sweep {file.name}"]
     drawn = store.now / "drawn" / name
     drawn.mkdir(parents=True)
     written = write_results(drawn, sweep, rows)
@@ -109,7 +111,7 @@ def make(name, file, place):
     note_asked(name, behind, store)
     now = f"Computed now: {len(missing)}; already done: {len(rows) - len(missing)}."
     first, *others = summary(sweep, rows)
-    said = {"lines": ["", first, now, *others, f"In {folder.absolute()}:", *written]}
+    said: dict = {"lines": ["", first, now, *others, f"In {folder.absolute()}:", *written]}
     said["code"] = int(any(row["status"] == UNFINISHED for row in rows))
     if not said["code"]:
         inputs = {path for work in behind for path in work.stamps}

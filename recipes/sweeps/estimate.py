@@ -20,7 +20,8 @@ SHOWN = 5  # sentences
 
 def spread(points):
     """All of them; any number of the first ones are far apart."""
-    step, order = 1 << len(points).bit_length(), []
+    step = 1 << len(points).bit_length()
+    order: list[int] = []
     while step:
         order += range(0, len(points), step)
         step //= 2
@@ -33,7 +34,8 @@ class Estimate:
     def __init__(self, sweep, cores):
         self.sweep, self.cores, self.begun = sweep, cores, time.monotonic()
         self.runs = [one for one in sweep.commands if one.program != "analyze"]
-        self.refused, self.asked, self.at_most = Counter(), 0, ""
+        self.refused: Counter[str] = Counter()
+        self.asked, self.at_most = 0, ""
         self.needs, self.unknown = [], set()
 
     def ask(self, points):

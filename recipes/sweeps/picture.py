@@ -16,6 +16,7 @@ SEEDS = ("seed", "numerics.seed")
 PANEL = 62 * MM  # height [inch]
 QUARTILES = (0.25, 0.5, 0.75)
 HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
+FEW = 20  # places of a logarithmic axis that have their numbers, and panels
 APART = 2  # at least between two labels of ticks [pixels]
 
 
@@ -43,9 +44,8 @@ def set_axis(axes, which, column):
     if column.categories:
         axis.set_ticks(range(len(column.categories)), [*map(plain, column.categories)])
         axes.set(**{f"{which}lim": (-0.5, len(column.categories) - 0.5)})
-    elif column.axis == "log":  # it varies
+    elif column.axis == "log" and len(places := np.unique(column.positions)) <= FEW:  # it varies
         axis.set_minor_locator(NullLocator())
-        places = np.unique(column.positions)
         axis.set_ticks(places, [f"{place:g}" for place in places])
     elif column.scale == "linear":
         axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)
@@ -82,8 +82,20 @@ def without_overlap(labels, which):
 # --- one value varies ----------------------------------------------------------------------
 
 
+def groups(*axes):
+    """{place on these axes: numbers of the points there}, in order."""
+    found: dict[tuple, list] = {}
+    for number, place in enumerate(zip(*(axis.positions for axis in axes))):
+        found.setdefault(place, []).append(number)
+    return dict(sorted(found.items()))
+
+
+def values_at(column, here):
+    return column.positions[here][np.isfinite(column.positions[here])]
+
+
 def quartiles(column, here):
-    found = column.positions[here & np.isfinite(column.positions)]
+    found = values_at(column, here)
     return np.quantile(found, QUARTILES) if len(found) else [np.nan] * 3
 
 
@@ -95,8 +107,8 @@ def draw_line(axes, x, y, done):
         places, counts = np.unique([x.positions, y.positions], axis=1, return_counts=True)
         axes.scatter(*places, s=12 * counts, color=LINES[0], linewidth=0)
     else:
-        places = np.unique(x.positions)
-        low, medians, high = zip(*(quartiles(y, x.positions == place) for place in places))
+        places = [place for place, in groups(x)]
+        low, medians, high = zip(*(quartiles(y, here) for here in groups(x).values()))
         axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
         axes.fill_between(places, low, high, color=LINES[0], alpha=0.2, linewidth=0)
         axes.plot(places, medians, color=LINES[0])
@@ -125,7 +137,7 @@ def edges(axis):
 
 def middle(column, here):
     """The median of these points; of texts the most frequent one; NaN where there is none."""
-    found = column.positions[here & np.isfinite(column.positions)]
+    found = values_at(column, here)
     if not len(found):
         return np.nan
     return np.bincount(found.astype(int)).argmax() if column.categories else np.median(found)
@@ -133,12 +145,10 @@ def middle(column, here):
 
 def cells(x, y, value_at):
     """The values of a map: value_at(which points) for each pair of places that has points."""
-    (x_places, columns), (y_places, rows) = (
-        np.unique(axis.positions, return_inverse=True) for axis in (x, y)
-    )
-    grid = np.full((len(y_places), len(x_places)), np.nan)
-    for row, column in {*zip(rows, columns)}:
-        grid[row, column] = value_at((rows == row) & (columns == column))
+    rows, columns = ({p: n for n, p in enumerate(np.unique(axis.positions))} for axis in (y, x))
+    grid = np.full((len(rows), len(columns)), np.nan)
+    for (at_x, at_y), here in groups(x, y).items():
+        grid[rows[at_y], columns[at_x]] = value_at(here)
     return np.ma.masked_invalid(grid)
 
 
@@ -183,8 +193,8 @@ def draw_columns(stem, sweep, columns):
         if None in axis.cells:
             return f"No picture: some points have no {axis.name}."
     measured = [by_name[name] for name in sweep.columns if name in by_name]
-    if not measured:
-        return "No picture: all quantities are lists."
+    if not 0 < len(measured) <= FEW:
+        return f"No picture: {len(measured)} quantities are no lists; up to {FEW} are drawn."
     done = np.array([status == "done" for status in by_name["status"].cells])
     beside = min(2, len(measured))
     below = -(-len(measured) // beside)

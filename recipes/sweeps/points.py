@@ -37,7 +37,9 @@ class Points:
     def run(self, point, reports):
         """Fills the reports. A command that needs a value that is null is left out, and so is what
         needs its files. Returns a sentence about these, and the places of kept files."""
-        made, kept, left_out, missing = {}, [], [], set()
+        made: dict[str, Work] = {}
+        missing: set[str] = set()
+        kept, left_out = [], []
         for command in self.sweep.commands:
             words = self.sweep.words(command, point, reports)
             if words is None or not missing.isdisjoint(map(without_time, words)):

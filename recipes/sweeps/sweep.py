@@ -11,13 +11,13 @@ from rupture.programs import output_of
 from rupture.tools.command_line import check_known, suggestion
 from rupture.units import in_si, unit_in
 from sweeps.text import Text, existing, is_values, name_of
-from sweeps.values import HEADING, combined, references, rows_in, values_of
+from sweeps.values import HEADING, check_length, combined, references, rows_in, values_of
 from sweeps.words import PLAIN, VALUES, Command, Described, Later, file_in, options_of
 from sweeps.words import without_time
 
 PATH = re.compile(r"[\w-]+(\.(-?\w+|\*))+")  # to a quantity: front.v_c.28
 INDEX = re.compile(r"\.-?\d+(?=\.|$)")
-NAME = re.compile(r"[\w.][\w., +-]*")  # of a column
+NAME = re.compile(r"\w[\w., +-]{0,99}")  # of a column
 OWN = {"base", VALUES}  # holes that are no names
 STATE = ("status", "sentence", "point")  # columns of every table
 ELEMENT = "element"  # the column of a number in a list
@@ -50,6 +50,8 @@ class Sweep:
         self.text, self.described, self.folder = Text(path), Described(), path.parent
         self.keys = self.text["sweep"]
         self.title = self.keys.get("title", self.name)
+        with self.text.errors_at("sweep", "title"):
+            check_length(self.title)
         self.is_own_file = file_in(self.folder)
         self.base = self.checked_base()
         self.commands = self.checked_commands()
@@ -74,7 +76,8 @@ class Sweep:
             return str(path)
 
     def checked_commands(self):
-        commands, files = [], set()
+        commands: list[Command] = []
+        files: set[str] = set()
         for name, line in self.text["commands"].items():
             with self.text.errors_at("commands", name):
                 command = Command(name, line, self.described)
@@ -133,6 +136,8 @@ class Sweep:
     def chosen(self, names):
         """The values for {values}: those that no hole of a command names. What only other values
         name is none either, unless the program knows it."""
+        if wrong := [name for name in names if name in STATE or not NAME.fullmatch(name)]:
+            raise UsageError(f"'{wrong[0]}' cannot be the heading of a column")
         for command in self.commands:
             with self.text.errors_at("commands", command.name):
                 self.check_names(command, {*names})
@@ -202,7 +207,7 @@ class Sweep:
                 unit, _ = self.quantity_at(path, self.commands)
                 if stated not in ("", unit):
                     raise UsageError(f"'{heading}' says [{stated}], but {path} is in '{unit}'")
-                if not NAME.fullmatch(name) or name in (".", *columns, *taken):
+                if not NAME.fullmatch(name) or name in (*columns, *taken):
                     raise UsageError(f"'{heading}' cannot be the heading of a column")
                 columns[name], units[name] = path, unit
         return columns, units
@@ -228,7 +233,8 @@ class Sweep:
         """By descriptions of programs; the first of each form by the programs themselves, too."""
         forms = set()
         for point in self.points:
-            made, form = set(), tuple(point.values)
+            made: set[str] = set()
+            form = tuple(point.values)
             for command in self.commands:
                 with self.text.errors_at("commands", command.name):
                     words = self.words(command, point)

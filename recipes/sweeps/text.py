@@ -10,6 +10,7 @@ from rupture.units import one_name
 
 SECTIONS = ("sweep", "commands", "values", "quantities")
 KEYS = ("title", "base", "points", "keep", "axis", "memory", "threads")
+LARGEST = 100_000_000  # bytes
 COMMENT = re.compile(r"(^|\s)[#;].*")
 HEADER = re.compile(r"\[(.*)\]")
 
@@ -48,6 +49,14 @@ def errors_of(path):
         raise UsageError(f"{path}: it is not UTF-8 text") from None
 
 
+def read_text(path):
+    """Of a file that ends."""
+    with errors_of(path):
+        if path.stat().st_size > LARGEST or not path.is_file():
+            raise UsageError(f"{path}: it is no file of up to {LARGEST // 10**6} MB")
+        return one_name(path.read_text(encoding="utf-8-sig")).replace("\t", " ")
+
+
 def is_values(section):
     return section == "values" or section.startswith("variant ")
 
@@ -56,11 +65,12 @@ class Text:
     """`sections`: {section: {name: text}} in the order of the file."""
 
     def __init__(self, path):
-        self.path, self.sections, self.lines = path, {}, {}
-        with errors_of(path):
-            self.text = one_name(path.read_text(encoding="utf-8-sig"))
+        self.path = path
+        self.sections: dict[str, dict[str, str]] = {}
+        self.lines: dict[tuple[str, str], int] = {}
+        self.text = read_text(path)
         section = name = ""
-        for number, line in enumerate(self.text.replace("\t", " ").split("\n"), 1):
+        for number, line in enumerate(self.text.split("\n"), 1):
             with self.errors_in(number):
                 check_letters(line)
                 line = COMMENT.sub("", line).rstrip()
@@ -105,7 +115,7 @@ class Text:
     def errors_in(self, number):
         try:
             yield
-        except (UsageError, ValueError) as error:
+        except (Failure, ValueError) as error:
             if str(error).startswith(f"{self.path}"):
                 raise
             raise self.error(number, error) from None

@@ -7,11 +7,12 @@ import itertools
 import math
 import operator
 import re
+from collections.abc import Callable
 from functools import cache
 
 from rupture.errors import UsageError
-from rupture.units import NUMBER, PREFIXES, UNIT, amount, in_si, one_name
-from sweeps.text import check_letters
+from rupture.units import NUMBER, PREFIXES, UNIT, amount, in_si
+from sweeps.text import check_letters, read_text
 
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 WITH_UNIT = re.compile(rf"[-+]?{NUMBER}\s*{UNIT}")
@@ -21,7 +22,7 @@ LIMIT = 100_000  # points of a sweep
 LONGEST = 200  # letters of a value
 FORMULA = re.compile(r"[-+*/(). 0-9eEsqrt]+")
 MAY_HAVE = "it may have numbers, {names}, + - * / **, parentheses, and sqrt"
-ARITHMETIC = {
+ARITHMETIC: dict[type, Callable] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
@@ -58,11 +59,10 @@ def worth(node):
     """Of a parsed formula. All numbers are floats, so that no power is without end."""
     if isinstance(node, ast.Constant):
         return float(node.value)
-    operation = ARITHMETIC.get(type(getattr(node, "op", None)))
-    if operation and isinstance(node, ast.BinOp):
-        return operation(worth(node.left), worth(node.right))
-    if operation and isinstance(node, ast.UnaryOp):
-        return operation(worth(node.operand))
+    if isinstance(node, ast.BinOp) and type(node.op) in ARITHMETIC:
+        return ARITHMETIC[type(node.op)](worth(node.left), worth(node.right))
+    if isinstance(node, ast.UnaryOp) and type(node.op) in ARITHMETIC:
+        return ARITHMETIC[type(node.op)](worth(node.operand))
     if isinstance(node, ast.Call) and ast.unparse(node.func) == "sqrt" and len(node.args) == 1:
         return math.sqrt(worth(node.args[0]))
     raise ValueError(MAY_HAVE)
@@ -175,14 +175,12 @@ def table_in(path):
     """{line: its cells} of a CSV table (docs/runs.md), without blanks around them, empty ones at
     the end, comments and empty lines: as cells_of() of src/tools/cli/profile.cpp."""
     found = {}
-    with open(path, encoding="utf-8-sig") as file:
-        for number, line in enumerate(file, 1):
-            plain = one_name(line.rstrip("\n").replace("\t", " "))
-            cells = [cell.strip(" ") for cell in next(csv.reader([plain], skipinitialspace=True))]
-            while cells and not cells[-1]:
-                cells.pop()
-            if cells and not cells[0].startswith("#"):
-                found[number] = cells
+    for number, line in enumerate(read_text(path).split("\n"), 1):
+        cells = [cell.strip(" ") for cell in next(csv.reader([line], skipinitialspace=True), ())]
+        while cells and not cells[-1]:
+            cells.pop()
+        if cells and not cells[0].startswith("#"):
+            found[number] = cells
     return found
 
 
@@ -191,12 +189,8 @@ def rows_in(path):
     table of results, values come before `status`."""
     try:
         table = table_in(path)
-    except FileNotFoundError:
-        raise UsageError(f"there is no table of points {path}") from None
-    except OSError as error:
-        raise UsageError(f"{path}: {error.strerror}") from None
-    except (UnicodeDecodeError, csv.Error):
-        raise UsageError(f"{path} is not a CSV table in UTF-8") from None
+    except csv.Error:
+        raise UsageError(f"{path} is not a CSV table") from None
     headings = table.pop(first := min(table, default=0), [])
     columns = [HEADING.findall(heading)[0][::2] for heading in headings]
     if len({name for name, _ in columns} - {""}) < len(headings):

@@ -84,8 +84,8 @@ class Command:
         except ValueError as error:
             raise UsageError(f"'{self.line}' cannot be split into words ({error})") from None
         self.parts = [self.parts_of(word) for word in words]
-        first = [parts[0] if len(parts) == 1 else HOLE.search(line)[0] for parts in self.parts]
-        check_known(*first[:1], PROGRAMS, "there is no program")
+        first = ["".join(parts) for parts in self.parts]  # with names of holes, if it has any
+        check_known("".join(first[:1]), PROGRAMS, "there is no program")
         self.call = tuple(first[: 1 + (first[0] == "analyze")])
         described.options(self.call)  # which must be one
         self.begin, self.checked, self.is_later = len(self.call), {}, False

@@ -1,6 +1,7 @@
 """A user's sweep: what its file says, and what is refused before anything is computed
 (recipes/sweeps)."""
 
+import os
 import shutil
 import subprocess
 import time
@@ -163,10 +164,17 @@ REFUSED = [
     (VALUES, f"{VALUES}\n[values]", "line 9: the section .values. is there twice"),
     ("[sweep]", "[sweep]\ntitle = a\x1b]0;b", "line 2: there is a control character, U.001B"),
     (VALUES, "tau-bar = 0.1\u2028", "line 8: there is a control character, U.2028"),
-    ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
+    ("[sweep]", "[sweep]\npoints = p.csv", "p.csv: No such file"),
+    ("[sweep]", "[sweep]\npoints = /dev/zero", "/dev/zero: it is no file of up to"),
+    ("[sweep]", "[sweep]\npoints = pipe", "pipe: it is no file of up to"),
+    ("[sweep]", f"[sweep]\ntitle = {'x' * 201}", "longer than 200 letters"),
+    (VALUES, f"{VALUES}\n=cmd|calc!A0 = 1", "expected NAME = VALUE"),
+    ("{values}", "{values} --seed {@SUM}", "there is no '@SUM'"),
+    (VALUES, f"{VALUES}\n@SUM = 1", "'@SUM' cannot be the heading of a column"),
+    (VALUES, f"{VALUES}\nstatus = 1", "'status' cannot be the heading of a column"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
     ("[sweep]", "[sweep]\npoints = one.csv", "'tau-bar' is a value and a column of the table"),
-    ("[sweep]", "[sweep]\npoints = e in run: events.events", "no table of points"),
+    ("[sweep]", "[sweep]\npoints = e in run: events.events", "No such file"),
     ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
     ("[sweep]", "[sweep]\nkeep = x.h5", "line 2: no command writes x.h5"),
@@ -186,7 +194,7 @@ REFUSED = [
     ("= prepare", "= prepar", "no program 'prepar': did you mean 'prepare'"),
     ("= prepare", "= map", "no program 'map'"),
     ("= prepare", "= ../x/prepare", "no program '../x/prepare'"),
-    ("= prepare", "= {values} prepare", "no program '{values}'"),
+    ("= prepare", "= {values} prepare", "no program 'values'"),
     ("{values}", "--tau-bar 1", "no command has {values}, nor {tau-bar}"),
     ("{values}", "x{values}", "{values} stands alone"),
     ("{values}", "{valus}", "'{valus}': there is no 'valus'; there are tau-bar"),
@@ -266,6 +274,7 @@ OTHERS = "n = -f\nf = --force\nn2 = force\nwords = 2 --force\n"
 def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sentence):
     Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
     Path("empty.csv").touch()
+    os.mkfifo("pipe")
     Path("one.csv").write_text("tau-bar\n0.1\n")
     assert part in SWEEP
     text = SWEEP.replace(part, new, 1)

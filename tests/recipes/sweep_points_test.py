@@ -79,6 +79,16 @@ def test_a_value_is_one_word_whatever_is_in_it(rows):
     assert [row["status"] for row in found] == ["done"]
 
 
+def test_a_file_is_no_option_whatever_its_name(rows):
+    Path("x").mkdir()
+    shutil.copyfile("in.h5", "x/--force")
+    head = "[sweep]\n[commands]\n"
+    _, ran = rows(
+        "f = analyze front {n}\n", "[values]\nn = x/--force\n[quantities]\nt = f.type\n", head
+    )
+    assert ran == [["analyze", "front", "_--force", "--json"]]
+
+
 NULLS = "f = analyze front a.h5\nb = restart a.h5 --until {f.t_rupture.1} -o b.h5\n"
 
 

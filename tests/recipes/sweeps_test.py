@@ -181,7 +181,7 @@ TABLES = [  # a table (tests/tools/csv.txt has more), and its points with two se
 @pytest.mark.parametrize("text, points", TABLES)
 def test_points_of_a_table(folder, text, points):
     (folder / "p.csv").write_text(text)
-    found = in_short(combined({"values": {"seed": ["1", "2"]}}, rows_in("p.csv")))
+    found = in_short(combined({"values": {"seed": ["1", "2"]}}, rows_in(folder / "p.csv")))
     assert [one.replace(" ", "_") for one in found] == points.split()
 
 
@@ -189,7 +189,7 @@ WRONG_TABLES = [
     (b"a,b\n0.1\n", "p.csv, line 2: it needs as many cells as the first line"),
     (b"a,b\n0.1,1\n\n0.2,1,5\n", "p.csv, line 4: it needs as many cells"),
     (b",a\n0.1,1\n", "p.csv: each column needs a heading of its own"),
-    (b"a\n\xff\n", "p.csv is not a CSV table in UTF-8"),
+    (b"a\n\xff\n", "p.csv: it is not UTF-8 text"),
     *(
         (f"a\n1{c}2\n".encode(), "p.csv, line .*control character")
         for c in "\0\x1b\x85\u2028\u202e"
@@ -203,7 +203,7 @@ WRONG_TABLES = [
 def test_wrong_tables_of_points(folder, content, sentence):
     (folder / "p.csv").write_bytes(content)
     with pytest.raises(UsageError, match=sentence):
-        rows_in("p.csv")
+        rows_in(folder / "p.csv")
 
 
 def test_too_many_points_are_refused_before_they_are_made():

@@ -21,10 +21,10 @@ def test_both_readers(small_ini, line, text):
     if line:
         refuses(load, 2, f"p.csv:{line}: ...")
         with pytest.raises(UsageError, match=rf"^p\.csv(, line {line})?: "):
-            rows_in("p.csv")
+            rows_in(Path("p.csv"))
         return
     rows = [("0mm", "0.4"), ("140mm", "0.8")]
-    assert rows_in("p.csv") == [{"x": x, "junctions.mu_s": mu_s} for x, mu_s in rows]
+    assert rows_in(Path("p.csv")) == [{"x": x, "junctions.mu_s": mu_s} for x, mu_s in rows]
     output_of(load)
     found = json_of("analyze show a.h5 --json")["parameters"]["junctions.mu_s"]
     assert found == pytest.approx([0.4 + 0.05 * i for i in range(9)])

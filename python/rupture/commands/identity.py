@@ -74,7 +74,8 @@ class Work:
         return None
 
     def named(self, name, source):
-        """The plain name of an input, numbered if it is taken."""
+        """The plain name of an input, numbered if it is taken. It is no option."""
+        name = name if PLAIN.match(name) else f"_{name}"
         stem, dot, ending = name.rpartition(".")
         names = (f"{stem}-{n}{dot}{ending}" if n > 1 else name for n in range(1, 999))
         free = (one for one in names if one not in self.outputs)
