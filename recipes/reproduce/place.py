@@ -38,7 +38,7 @@ class Place:
 def place_of(request):
     """Raises Failure if the profile cannot be used here."""
     if not request.profile:
-        is_sweep = request.command == "sweep"  # the plan of which knows how much memory points need
+        is_sweep = request.command == "sweep"  # whose file says what memory points need
         cores = request.given or (usable_cores() if is_sweep else programs_at_a_time())
         return Place(f"with {plural(cores, 'core')}", cores, usable_megabytes())
     if "SLURM_JOB_ID" not in os.environ:
