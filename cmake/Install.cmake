@@ -1,6 +1,6 @@
 # Files that `cmake --install` copies besides the programs (src/tools): the library with its headers,
-# the CMake package through which other projects use them (docs/regression-tests.md), and the recipes
-# with what they read, for `rupture reproduce`.
+# the CMake package through which other projects use them (docs/library.md), and the recipes with what
+# they read, for `rupture reproduce`.
 include(CMakePackageConfigHelpers)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/rupture)
 
@@ -16,7 +16,6 @@ configure_package_config_file(cmake/ruptureConfig.cmake.in ruptureConfig.cmake
 write_basic_package_version_file(ruptureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/ruptureConfigVersion.cmake
-              cmake/RuptureCheckpointTest.cmake
         DESTINATION ${_package})
 
 # Here every file has the place that it has in the sources, so that the recipes find it. A link leads to

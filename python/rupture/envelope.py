@@ -80,7 +80,8 @@ def check_seal(data, path):
     if not whole:
         raise Failure(
             f"{path} is damaged or was changed by another program: its bytes do not match the"
-            " SHA-256 in its header; copy it again or recreate it"
+            f" SHA-256 in its header; if it was changed, rupture seal {path} -o NEW.h5 checks and"
+            " seals it; otherwise copy it again or recreate it"
         )
     return kind
 

@@ -23,14 +23,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rupture.commands.identity import Command, Made, Measurement, Refused
-from rupture.commands.machine import programs_at_a_time
-from rupture.commands.holdings import Scope
-from rupture.commands.making import Making, Unknown, Untold
+from rupture.commands.making import Making, Scope, Unknown, Untold
 from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
 from rupture.commands.script import script_of
 from rupture.commands.store import Onlooker, Report, Store, complain
+from rupture.commands.workers import SCHEDULER, Workers
 from rupture.replacing import ENDING
 
 __all__ = ["Made", "Refused", "Report", "Unknown"]
@@ -39,14 +38,19 @@ __all__ += ["asked", "each", "keep", "known", "measured", "run", "script_of", "u
 current: list[Making] = []  # one, or none yet
 
 
-def use(store=None, cores=None, dry_run=None, cap=None, executor=None):
+def use(store=None, cores=None, dry_run=None, cap=None, executor=None, megabytes=None, threads=1):
     """Says where results are, how many programs run at a time, whether commands are only printed,
-    how many bytes of files may be there that are not kept, and what starts programs."""
+    how many bytes of files may be there that are not kept, what runs programs, and how much memory
+    and how many threads each of them may need."""
     finish()
     dry_run = "--dry-run" in sys.argv if dry_run is None else dry_run
-    cores, cap = (1, 1) if dry_run else (cores or programs_at_a_time(), cap)
+    cores, cap = (1, 1) if dry_run else (cores, cap)
+    is_far = SCHEDULER in os.environ and not dry_run
+    executor = executor or (Workers if is_far else Local)(megabytes, threads)
     place = (Onlooker if dry_run else Store)(store or os.environ.get("RUPTURE_STORE", "store"))
-    current.append(Making(place, executor or Local(), Pool(cores), dry_run, cap))
+    current.append(Making(place, executor, Pool(cores or executor.cores), dry_run, cap))
+    if not cores:
+        executor.watch(current[0].pool.resize)
     for number in ENDING:
         if is_main() and signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
             signal.signal(number, end)
@@ -57,10 +61,7 @@ def use(store=None, cores=None, dry_run=None, cap=None, executor=None):
 def finish():
     """Files that are not kept go."""
     while current:
-        making = current.pop()
-        making.stop()
-        making.pool.close()
-        making.holdings.close(making.outermost)
+        current.pop().close()
 
 
 def end(number, _):
@@ -85,7 +86,7 @@ def work_of(kind, *words, keep=()):
     file = sys._getframe(2).f_globals.get("__file__")
     work = kind(*words, making, Path(file).resolve().parent if file else Path.cwd())
     work.kept = {work[name].name for name in keep}
-    return making.holdings.name(work, making.scope)
+    return making.name(work)
 
 
 def run(line, keep=()):
@@ -98,7 +99,7 @@ def run(line, keep=()):
 def keep(*made):
     """Files that stay when their point is done, if something has needed them."""
     for one in made:
-        one.work.making.holdings.keep(one)
+        one.work.kept.add(one.name)
 
 
 def measured(function, *files):
@@ -139,13 +140,12 @@ def each(function, points, title="", only_known=False):
     results = list(map(one, numbers) if only_known else making.pool.map(one, numbers))
     progress.end(str(result) for result in results if isinstance(result, Refused))
     unknown = [isinstance(result, Unknown) for result in results]
-    for scope in making.scope.and_around():
-        scope.lacks |= {
-            one for result in results if isinstance(result, Unknown) for one in result.args
-        }
     if any(unknown) and making.scope.only_known:
         raise Unknown  # half of what is asked for is not what is asked for
     if any(unknown) and making.dry_run and not only_known:
+        if making.scope.parent is None:
+            wait = f"{sum(unknown)} of {len(points)} points wait for what a report will say"
+            making.show(f"# {title or 'each'}: {wait}")
         return Untold()
     making.scope.asked += [
         work for scope, is_unknown in zip(scopes, unknown) if not is_unknown for work in scope.asked

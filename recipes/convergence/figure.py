@@ -1,5 +1,5 @@
-"""Fronts with smaller time steps; continuum.py has finer lattices. A case is a front with all
-steps, the reference one first: a list, each front with its values by the headings of COLUMNS."""
+"""Fronts with other time steps; continuum.py has finer lattices. A case is a front with all steps,
+the longest first: a list, each front with its values by the headings of COLUMNS."""
 
 import numpy as np
 from rupture.figures import BLACK, DOUBLE, LINES, lettered, save
@@ -92,7 +92,8 @@ def own_result(cases, edges, with_lammps):
 
 def draw_event(axes, name, fronts):
     start = min(np.nanmin(values(front["t_rupture"])) for front in fronts)
-    for front, dt, colour, style in zip(fronts, STEPS, (BLACK, *LINES), ("-", "--", ":")):
+    styles = (":", "-.", "-", "--", ":")
+    for front, dt, colour, style in zip(fronts, STEPS, (*LINES[2:4], BLACK, *LINES), styles):
         time = (values(front["t_front"]) - start) * 1e3
         axes.plot(np.array(front["x"]) / front["L"], time, style, color=colour, label=f"{dt} s")
     axes.set(xlabel="$x/L$", xlim=(0, 1), ylim=(0, None))

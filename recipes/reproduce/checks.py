@@ -13,7 +13,7 @@ from reproduce.processes import ensure_packages, set_up
 CPP = "find include src tests benchmarks -name '*.[ch]pp' -o -name '*.h' | sort"
 SHELL = (
     "reproduce.sh .ci/run src/tools/reproduce src/tools/*/*.sh recipes/*/*.sh packaging/*.sh"
-    " recipes/reproduce/slurm/{job.sh,step} tests/*/*.sh tests/regression/project/*.sh"
+    " recipes/reproduce/slurm/job.sh tests/*/*.sh"
 )
 PYTHON = "python recipes src tests benchmarks"
 TEXTS = f"{PYTHON} README.md CONTRIBUTING.md docs include packaging reproduce.sh"

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from rupture.errors import UsageError
 from rupture.tools import command_line
-from rupture.tools.command_line import DEFAULT, suggestion, whole_number
+from rupture.tools.command_line import suggestion, whole_number
 from claims.recipes import read_readme, recipe_names
 from rupture.commands.machine import usable_cores
-from reproduce.project import BESIDE_ALL, PROFILES, SHARE, WORK
+from reproduce.project import BESIDE_ALL, SHARE, WORK
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (
@@ -60,21 +60,6 @@ def version(_):
     return f"{PROGRAM} (rupture {re.findall('^version: (.*)$', citation, re.MULTILINE)[0]})"
 
 
-def profile_at(text):
-    """The `step` of a profile; None for this machine."""
-    if text == "local":
-        return None
-    folder = Path(text) if "/" in text else SHARE / PROFILES / text
-    if not text or not (folder / "step").is_file():
-        raise argparse.ArgumentTypeError(f"there is no {folder}/step")
-    if others := sorted(path.name for path in folder.glob("config*.yaml")):
-        raise argparse.ArgumentTypeError(
-            f"a profile is a `step` and nothing else: delete {folder}/{others[0]}, which is of"
-            " version 0.4"
-        )
-    return (folder / "step").resolve()
-
-
 def programs_at(text):
     folder = Path.cwd() / text
     if not text or not os.access(folder / "load", os.X_OK):
@@ -98,11 +83,6 @@ def make_parser():
     add("--from-scratch", action="store_true", help=text)
     text = "of clean: delete only results that no figure has asked for the last time"
     add("--unneeded", action="store_true", help=text)
-    text = (
-        "where commands run: local, slurm, or the path of a folder with a `step`"
-        f" (docs/cluster.md){DEFAULT}"
-    )
-    add("--profile", type=profile_at, metavar="NAME", default="local", help=text)
     text = "use the programs in this folder instead of building them"
     add("--programs", type=programs_at, metavar="FOLDER", help=text)
     text = "use N cores of this machine (default: all that may be used)"

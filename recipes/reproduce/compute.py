@@ -4,6 +4,7 @@ import json
 import os
 import sys
 import time
+import traceback
 from contextlib import suppress
 from pathlib import Path
 
@@ -11,21 +12,20 @@ from claims.print_claims import print_claims
 from claims.recipes import recipe_names
 from claims.table import samples_from
 from report.written import LIST, append_to, note, refuse_others
-from reproduce.place import place_of
-from reproduce.project import BESIDE_ALL, ROOT, SHARE, complain, refuse_links
+from reproduce.project import BESIDE_ALL, LOGS, ROOT, SHARE, complain, refuse_links
 from reproduce.project import say, use_own_environment
 from reproduce.processes import ensure_packages, set_up
 from reproduce.stamps import is_current as is_made
 from rupture import once
-from rupture.commands.processes import Local
-from rupture.errors import Failure, MachineFailure
+from rupture.errors import Failure, is_of_machine
+from rupture.tools.command_line import plural
 
 RESULTS = Path("results")
 STORE = RESULTS / "store"  # may be a link
 
 
 def prepare(request, processes):
-    """Prepares what the commands need, and returns where they run."""
+    """Prepares what the commands need."""
     refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
     for at, folders, _ in os.walk(RESULTS):
         if Path(at) == RESULTS and STORE.name in folders:
@@ -39,7 +39,6 @@ def prepare(request, processes):
     elif processes.has_turn:  # else another run builds the same
         set_up(processes, "build", request.cores, "tools", "run")
     use_own_environment()
-    return place_of(request)
 
 
 def named_in(request):
@@ -65,8 +64,16 @@ def dry_run(request, processes):
             recipes.check_from_scratch(making)
     for name in request.words:
         say(f"# {name}")
-        recipes.show(name, is_whole(name, request.words))
+        if not recipes.show(name, is_whole(name, request.words)):
+            say("# More commands follow from reports that nobody has made yet.")
     return 0
+
+
+def mistake(fault):
+    """A sentence; the traceback goes to the log."""
+    with open(LOGS / "mistakes.log", "a", encoding="utf-8") as log:
+        traceback.print_exception(fault, file=log)
+    return f"a mistake in its code, {fault!r}: {log.name} has the traceback"
 
 
 def make_all(stale, named, making):
@@ -77,11 +84,11 @@ def make_all(stale, named, making):
     for number, name in enumerate(stale, 1):
         try:
             recipes.make(name, is_whole(name, named), making)
-        except MachineFailure:
-            raise
-        except Failure as failure:  # other recipes may do
+        except Exception as fault:  # other recipes may do
+            if is_of_machine(fault):
+                raise
             has_failed = True
-            complain(f"{name}: {failure}")
+            complain(f"{name}: {fault if isinstance(fault, Failure) else mistake(fault)}")
             continue
         say(f"[{time.monotonic() - begun:4.0f} s] {number} of {len(stale)}: {name}")
     return has_failed
@@ -90,11 +97,13 @@ def make_all(stale, named, making):
 def reproduce(request, processes):
     """Computes the named recipes, or all and their report."""
     begun = time.monotonic()
-    place, named, started = prepare(request, processes), named_in(request), time.time()
+    prepare(request, processes)
+    named, started = named_in(request), time.time()
     names = " ".join(named)
-    say(f"Computing {names} {place.name} ...")
     note(RESULTS, RESULTS / "runs.jsonl")
-    making = once.use(STORE, place.cores, dry_run=False, executor=Local(place.step))
+    making = once.use(STORE, request.given, dry_run=False)
+    place = f"with {plural(making.pool.cores, 'core')}{making.executor.where}"
+    say(f"Computing {names} {place} ...")
     try:
         if request.from_scratch:
             from reproduce.recipes import check_from_scratch
@@ -122,7 +131,7 @@ def reproduce(request, processes):
 
 def note_run(recipes, place, started):
     """Notes for the report which recipes ran, with how many cores, when, and for how long."""
-    run = {"recipes": " ".join(recipes), "where": place.name, "started": int(started)}
+    run = {"recipes": " ".join(recipes), "where": place, "started": int(started)}
     run["seconds"] = int(time.time() - started)
     with append_to(RESULTS / "runs.jsonl") as file:
         print(json.dumps(run), file=file)

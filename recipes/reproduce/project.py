@@ -13,7 +13,6 @@ WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else Non
 ROOT = WORK / ".rupture" if WORK else SHARE
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
-PROFILES = Path("recipes/reproduce")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take long.
 BESIDE_ALL = ("barrier", "choices", "convergence", "speeds")

@@ -1,7 +1,7 @@
 """Computes what a recipe asks for, draws its figure and judges its claims."""
 
 import shutil
-from contextlib import suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from sys import modules
@@ -16,7 +16,7 @@ from report.jobs import builds_of, jobs_of, write_jobs
 from report.written import refuse_others, take, written
 from reproduce import stamps
 from rupture import figures, once
-from rupture.commands.holdings import Scope
+from rupture.commands.making import Scope
 from rupture.commands.script import with_sources
 from rupture.replacing import replacing
 
@@ -123,14 +123,20 @@ def check_from_scratch(making):
 
 
 def show(recipe, is_whole):
-    """Prints the commands that would run, as far as one knows them."""
+    """Prints the commands that would run, as far as one knows them; returns whether it does."""
     forget()
     Sampling.is_whole = is_whole
     with TemporaryDirectory() as folder:
         results = Path(folder, recipe)
         results.mkdir(parents=True)
-        with suppress(once.Unknown):
-            figure_of(recipe).make(results)
-    for row in rows_of(recipe):
-        with suppress(once.Unknown):
-            claim_of(row, {})
+        steps = [partial(figure_of(recipe).make, results)]
+        steps += [partial(claim_of, row, {}) for row in rows_of(recipe)]
+        return all([is_told(step) for step in steps])
+
+
+def is_told(step):
+    try:
+        step()
+    except once.Unknown:
+        return False
+    return True

@@ -1,6 +1,5 @@
 """A user's sweep: ./reproduce.sh sweep FILE.ini."""
 
-import math
 import os
 import shlex
 from pathlib import Path
@@ -9,7 +8,6 @@ from reproduce import stamps
 from reproduce.compute import RESULTS, STORE, prepare, write_crate
 from reproduce.project import complain, say
 from rupture import once
-from rupture.commands.processes import Local
 from rupture.tools.command_line import plural
 from sweeps.text import name_of
 
@@ -18,11 +16,12 @@ SAID = "said"
 
 def run_sweep(request, processes):
     """Writes the table even if points could not be computed; it says which, and why."""
-    name, place = f"sweeps/{name_of(request.file)}", prepare(request, processes)
+    name = f"sweeps/{name_of(request.file)}"
+    prepare(request, processes)
     if request.dry_run:
-        return preview(request, place)
+        return preview(request)
     try:
-        said = said_of(name, request.file) or make(name, request.file, place)
+        said = said_of(name, request.file) or make(name, request)
     finally:
         once.finish()
     say("\n".join(said["lines"]))
@@ -43,13 +42,6 @@ def said_of(name, file):
     return store.result(stamps.record_of(name, SAID))
 
 
-def at_a_time(sweep, place):
-    """How many points have room."""
-    os.environ["OMP_NUM_THREADS"] = str(sweep.threads)
-    room = (place.megabytes or math.inf) // sweep.megabytes
-    return int(max(1, min(place.cores // sweep.threads, room)))
-
-
 def look_up(sweep, making):
     """What computes points, {number: row} of what is known, and the points that are missing."""
     from sweeps.points import Points
@@ -62,7 +54,7 @@ def look_up(sweep, making):
     return points, found, missing
 
 
-def preview(request, place):
+def preview(request):
     from sweeps.estimate import Estimate
     from sweeps.sweep import Sweep
 
@@ -74,13 +66,13 @@ def preview(request, place):
             filled = "" if command.is_later else shlex.join(sweep.words(command, missing[0]))
             say(f"  rupture {filled or command.line}")
         say("Asking the programs about these points, for at most half a minute ...")
-        estimate = Estimate(sweep, at_a_time(sweep, place))
+        estimate = Estimate(sweep)
         estimate.ask(missing)
         say("\n".join(estimate.lines(len(missing))))
     return 0
 
 
-def make(name, file, place):
+def make(name, request):
     """Returns the lines to be said, and the exit code."""
     from report.jobs import jobs_of, write_jobs
     from report.written import refuse_others
@@ -90,14 +82,17 @@ def make(name, file, place):
     from sweeps.sweep import Sweep
     from sweeps.table import UNFINISHED, summary, write_results
 
-    sweep, folder = Sweep(file), RESULTS / name
-    cores = at_a_time(sweep, place)
-    store = once.use(STORE, cores, dry_run=False, executor=Local(place.step)).store
+    file, folder = request.file, RESULTS / name
+    sweep = Sweep(file)
+    needs = {"megabytes": sweep.megabytes, "threads": sweep.threads}
+    cores = request.given and max(1, request.given // sweep.threads)
+    making = once.use(STORE, cores, dry_run=False, **needs)
+    store = making.store
     code = stamps.code_behind([Path(__file__)], store)
     refuse_others(RESULTS, folder / f"{sweep.name}.csv")  # before hours of computing
     note_asked(name, [], store, is_finished=False)
     with once.asked() as works:
-        points, found, missing = look_up(sweep, once.the_call())
+        points, found, missing = look_up(sweep, making)
         computed = once.each(points.compute, missing, sweep.title)
     found |= {point.number: row for (point,), row in computed}
     rows = [found[point.number] for point in sweep.points]

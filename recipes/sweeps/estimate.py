@@ -31,8 +31,9 @@ def spread(points):
 class Estimate:
     """Asks programs about the runs of points, in folders that are deleted again."""
 
-    def __init__(self, sweep, cores):
-        self.sweep, self.cores, self.begun = sweep, cores, time.monotonic()
+    def __init__(self, sweep):
+        self.sweep, self.begun = sweep, time.monotonic()
+        self.executor = Local(sweep.megabytes, sweep.threads)
         self.runs = [one for one in sweep.commands if one.program != "analyze"]
         self.refused: Counter[str] = Counter()
         self.asked, self.at_most = 0, ""
@@ -40,7 +41,7 @@ class Estimate:
 
     def ask(self, points):
         points = spread(points)
-        with ThreadPoolExecutor(self.cores) as pool:
+        with ThreadPoolExecutor(self.executor.cores) as pool:
             list(pool.map(self.ask_all, points[:WHOLE]))
             list(pool.map(self.ask_first, points[WHOLE:]))
 
@@ -73,7 +74,7 @@ class Estimate:
         words = [word if word in before else self.with_path(word) for word in words[1:]]
         words += ["--dry-run"] if program in RUNS else []
         words += [word for word in ("--json", "--quiet") if word not in words]
-        code, output, sentence = Local().start([path_of(program), *words], folder).result()
+        code, output, sentence = self.executor.run([path_of(program), *words], folder)
         if code:
             self.refused["".join(sentence.splitlines()[-1:])] += 1
         elif program in RUNS:
@@ -92,7 +93,7 @@ class Estimate:
         """What is said of `count` points."""
         if (number := len(self.needs)) and any(one.program in RUNS for one in self.runs):
             seconds, disk = (sum(need[k] for need in self.needs) / number for k in ("time", "disk"))
-            cores = f"{duration(count * seconds / self.cores)} with {plural(self.cores, 'core')}"
+            cores = f"{duration(count * seconds / self.executor.cores)} with {plural(self.executor.cores, 'core')}"
             each = f"{self.at_most}{duration(seconds)} and {disk / 1e6:.2g} MB"
             yield f"Each point takes {each}, all of them {self.at_most}{cores}."
             if self.sweep.kept:

@@ -65,7 +65,7 @@ class Points:
         inputs = [Made(one, word) if one else word for one, word in zip(sources, words)]
         work = Work(inputs, self.making, self.sweep.folder)
         work.kept = {name for name in self.sweep.kept if without_time(name) in work.outputs}
-        return self.making.holdings.name(work, self.making.scope)
+        return self.making.name(work)
 
 
 def in_cell(value):

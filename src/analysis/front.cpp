@@ -127,6 +127,18 @@ Answer is_fast_slow_fast(const Front& front, double limit) {
   return slow->fast_before.value_or(0.0) >= limit ? Answer::yes : Answer::no;
 }
 
+/// The first rupture of each block at times in [from, to] [s].
+FirstRuptures first_ruptures(const Parameters& p, std::span<const Rupture> ruptures, double from,
+                             double to) {
+  FirstRuptures first(static_cast<std::size_t>(p.Nx));
+  for (const Rupture& rupture : ruptures) {
+    auto& t = first[static_cast<std::size_t>(rupture.block)];
+    if (rupture.time < from || rupture.time > to) continue;
+    if (!t || rupture.time < *t) t = rupture.time;
+  }
+  return first;
+}
+
 /// The first rupture of each block in the event, before the window or in it.
 FirstRuptures whole_event(const RuptureLine& line) {
   FirstRuptures first = line.t_rupture;
@@ -160,8 +172,7 @@ void forget_before(const FirstRuptures& before, FirstRuptures& times) {
 /// Driving force at the last sample not after t; the first sample if all are later.
 double force_at(const LoadingCurve& loading, double t) {
   const auto after = std::upper_bound(loading.time.begin(), loading.time.end(), t);
-  const auto index = std::max<std::ptrdiff_t>(after - loading.time.begin() - 1, 0);
-  return loading.F_T[static_cast<std::size_t>(index)];
+  return loading.F_T[static_cast<std::size_t>(after - loading.time.begin()) - 1];
 }
 
 double smallest_force(const LoadingCurve& loading, double from, double to) {
@@ -198,17 +209,6 @@ Event describe(const Parameters& p, std::span<const Rupture> ruptures, const Loa
 std::size_t RuptureLine::ruptured_before() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(before, [](const auto& t) { return t.has_value(); }));
-}
-
-FirstRuptures first_ruptures(const Parameters& p, std::span<const Rupture> ruptures, double from,
-                             double to) {
-  FirstRuptures first(static_cast<std::size_t>(p.Nx));
-  for (const Rupture& rupture : ruptures) {
-    auto& t = first[static_cast<std::size_t>(rupture.block)];
-    if (rupture.time < from || rupture.time > to) continue;
-    if (!t || rupture.time < *t) t = rupture.time;
-  }
-  return first;
 }
 
 RuptureLine rupture_line(const Parameters& p, std::span<const Rupture> ruptures, double from,

@@ -5,17 +5,12 @@ from errno import EEXIST, EINVAL, EIO, EPERM
 
 import pytest
 
-from scenario import INPUTS, LOAD, LONG, PREPARE, case, check_ended, check_next_run, each_scenario
+from scenario import INPUTS, LOAD, PREPARE, case, check_ended, check_next_run, each_scenario
 from scenario import faulted, kept_in, log_of, made, new_state, sums, without_notes
 
 ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS)
-FAULTS = [f"{error}" for error in (EIO, *ROOM)]
+FAULTS = [f"{error}" for error in (EIO, *ROOM)]  # one after the other
 FAULTS += [f"{error}+" for error in ROOM]  # so do later calls that need room
-
-
-def faults_at(number):
-    """The failures to try at a call: all, or at each call another one."""
-    return FAULTS if LONG else [FAULTS[number % len(FAULTS)]]
 
 
 def check(scenario, outcome, files, fault):
@@ -31,12 +26,12 @@ def check(scenario, outcome, files, fault):
 def test_a_failure_of_any_call_is_reported_and_leaves_complete_files(scenario):
     seen: set = set()
     for number, line in enumerate(log_of(scenario), 1):
-        for fault in faults_at(number):
-            with case(fault, number, line[:60]):
-                outcome, files = faulted(scenario, fault, number)
-                check(scenario, outcome, files, fault)
-                if new_state(seen, files):
-                    check_next_run(scenario, files)
+        fault = FAULTS[number % len(FAULTS)]
+        with case(fault, number, line[:60]):
+            outcome, files = faulted(scenario, fault, number)
+            check(scenario, outcome, files, fault)
+            if new_state(seen, files):
+                check_next_run(scenario, files)
 
 
 @pytest.mark.parametrize("lasting", ["", "+"])  # then links fail, too

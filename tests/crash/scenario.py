@@ -1,6 +1,7 @@
 """The tools at work in small folders of their own, and what must hold of such a folder always."""
 
 import functools
+import io
 import os
 import re
 import shlex
@@ -10,13 +11,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import h5py
 import pytest
 
 import conftest
 from conftest import BUILD, skip
 
 FAULTS = BUILD / "tests/libfaults.so"
-LONG = "RUPTURE_CRASH_LONG" in os.environ
 if not FAULTS.exists():
     skip(f"{FAULTS} is not built")
 MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # quicker than a disk
@@ -110,30 +111,23 @@ def made(name, command, old):
         for file in new:
             if file.endswith(".h5"):
                 folder.must_run(f"analyze verify {shlex.quote(file)}")
-                content = folder.must_run(f"analyze checksum {shlex.quote(file)}").strip()
-                line = f"content-sha256 {content}  {file}\n".encode()
-                kept = new[file] == old.get(file)
-                wanted = kept or "--sum" in command.split()
-                assert new.get(file + ".sum") == (line if wanted else None)
     return Scenario(name, command, old, new)
 
 
 @functools.cache
 def scenarios():
     """Each way in which a tool writes, over older files of other content and without them."""
-    start = "load --config driven.ini --until 2e-4 -o a.h5 -q --sum"
+    start = "load --config driven.ini --until 2e-4 -o a.h5 -q"
     begin = made("inputs", start, INPUTS).new
-    load, prepare = f"{LOAD} --force --sum", f"{PREPARE} --force --sum"
+    load, prepare = f"{LOAD} --force", f"{PREPARE} --force"
     empty = made("load into an empty place", load, begin)
     older = made("older files", f"{load} --seed 2", begin).new
     prepared = made("older files", f"{prepare} --seed 2 --sigma-bar 0.1", begin).new
     return [
         empty,
         made("load over older files", load, older),
-        made("load over older files, without sums", f"{LOAD} --force", older),
         made("load resumed", f"{load} --resume", killed_late(empty)),
         made("prepare over older files", prepare, prepared),
-        made("modify-phi into an empty place", "modify-phi a.h5 -o b.h5 --force --sum", begin),
     ]
 
 
@@ -153,21 +147,22 @@ def check_files(scenario, files):
     """Holds of a folder in which the scenario's command was interrupted."""
     old, new = scenario.old, scenario.new
     for name, data in without_temporaries(files).items():
-        whole = name.removesuffix(".sum")
-        if whole != name:
-            agrees = [files.get(whole) == v.get(whole) and data == v.get(name) for v in (old, new)]
-            assert whole in files and any(agrees), f"{name} disagrees with its file"
-        elif not name.endswith(".part"):
+        if not name.endswith(".part"):
             assert name in new.keys() | old.keys(), f"{name} does not belong there"
             is_either = data in (old.get(name), new.get(name))
             assert is_either, f"{name} is neither the old nor the new one"
-    gone = [name for name in old.keys() - files.keys() if not name.endswith((".sum", ".part"))]
+    gone = [name for name in old.keys() - files.keys() if not name.endswith(".part")]
     assert not gone, f"{gone} are gone"
 
 
 def sums(files):
-    """The content of a folder: the checksum of each file of ours."""
-    return {name: data for name, data in files.items() if name.endswith(".sum")}
+    """The content of a folder: the checksum that each file of ours states."""
+    return {name: content_sum(data) for name, data in files.items() if name.endswith(".h5")}
+
+
+def content_sum(data):
+    with h5py.File(io.BytesIO(data)) as file:
+        return file.attrs["content_checksum"]
 
 
 def check_next_run(scenario, files):
@@ -224,7 +219,7 @@ def check_ended(scenario, outcome, files, error):
     tool, said = scenario.command.split()[0], outcome.stderr
     assert outcome.returncode == 3, f"exit code {outcome.returncode}"
     assert re.fullmatch(rf"{tool}: [^\n]*{re.escape(os.strerror(error))}[^\n]*\n", said), said
-    named = any(name.removesuffix(".sum") in said for name in scenario.new)
+    named = any(name in said for name in scenario.new)
     assert named, f"no file is named: {said!r}"
 
 

@@ -24,7 +24,7 @@ INPUTS = {"a.h5", "folder", "two words.h5"}  # in any order
 
 @pytest.fixture(autouse=True)
 def files(folder):
-    others = ("a.h5.sum", "b.h5.part", "my.ini", "note.txt", "folder/c.h5")
+    others = ("b.h5.part", "my.ini", "note.txt", "folder/c.h5")
     for name in ("a.h5", "two words.h5", *others):
         Path(name).parent.mkdir(exist_ok=True)
         Path(name).touch()
@@ -61,9 +61,6 @@ def complete(line):
         ("reproduce fig2 figS6", ["figS6"]),
         ("reproduce sweep ''", ["my.ini", "folder"]),
         ("analyze front --event ''", ["first-spanning"]),
-        ("golden ''", ["check", "regenerate"]),
-        ("golden check no", ["note.txt"]),
-        ("golden check golden.sums no", ["note.txt"]),
         ("reproduce --pro", ["--profile", "--programs"]),
         ("restart folder/", ["folder/c.h5"]),
         ("load ''", []),

@@ -29,6 +29,19 @@ def point(n):
     print(run(f"analyze stress --sleep {60 if n else 0} --x {n}").said, flush=True)
 each(point, range(9), "stress")
 """
+AT_ONCE = """
+import os, signal, subprocess, time
+from rupture.commands import processes
+processes.WITH_US = ["not-there"]
+use(cores=2)
+start = subprocess.Popen.__init__
+def interrupted(*words, **options):
+    start(*words, **options)
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep(0.2)
+subprocess.Popen.__init__ = interrupted
+run("analyze stress --sleep 60")
+"""
 KILLS = 20
 
 
@@ -100,6 +113,11 @@ def test_a_signal_ends_programs_and_says_how_to_go_on(lab, number):
         "rupture-store"
     ]
     assert len([line for line in lab.ran() if "stress" in line]) == 3, "what waited has begun"
+
+
+def test_a_signal_ends_a_program_that_has_just_begun(lab):
+    assert lab.script(AT_ONCE)[0] == 128 + signal.SIGTERM
+    wait_for(lambda: not sleeping(lab))
 
 
 def test_a_killed_call_takes_its_programs_with_it(lab):

@@ -80,7 +80,6 @@ def lab(monkeypatch):
         monkeypatch.syspath_prepend(folder)
         monkeypatch.setenv("RUPTURE_BIN", f"{folder}/bin")
         monkeypatch.setenv("PYTHONPATH", f"{ROOT}/python")
-        monkeypatch.setenv("LAB", folder)
         monkeypatch.setattr(code, "BEGAN", math.inf)
         it = Laboratory(Path(folder))
         it.call()

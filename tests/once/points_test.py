@@ -115,14 +115,37 @@ def test_points_are_few_values_each_and_come_in_their_order(lab):
     assert each(lambda a: a, iter("ab")) == [(("a",), "a"), (("b",), "b")]
 
 
-@pytest.mark.parametrize("megabytes, programs", [(900, 1), (3300, 3), (99000, 8)])
-def test_each_program_has_a_core_and_memory(lab, monkeypatch, megabytes, programs):
+@pytest.mark.parametrize(
+    "megabytes, needs, programs",
+    [
+        (900, {}, 1),
+        (3300, {}, 3),
+        (3300, {"megabytes": 400}, 8),
+        (99000, {}, 8),
+        (99000, {"threads": 3}, 2),
+    ],
+)
+def test_each_program_has_cores_and_memory(lab, monkeypatch, megabytes, needs, programs):
     monkeypatch.setattr(machine, "usable_cores", lambda: 8)
     monkeypatch.setattr(machine, "usable_megabytes", lambda: megabytes)
-    lab.call(cores=None)
+    lab.call(cores=None, **needs)
     meter = Meter()
     each(lambda n: meter.work(0.03), range(30))
     assert meter.most == programs
+
+
+def test_cores_that_come_or_go_while_points_run_count(lab):
+    pool, meters = lab.call(cores=1).pool, {1: Meter(), 3: Meter()}
+
+    def point(n):
+        if n in (10, 60):
+            pool.resize(3 if n == 10 else 1)
+            time.sleep(0.1)  # others end what they have begun
+        if n < 5 or n > 65 or 20 < n < 50:
+            meters[3 if 20 < n < 50 else 1].work(0.01)
+
+    each(point, range(80))
+    assert {cores: meter.most for cores, meter in meters.items()} == {1: 1, 3: 3}
 
 
 # --- refusals
@@ -269,8 +292,23 @@ def test_a_dry_run_shows_commands_and_runs_none(lab, capfd):
         "rupture analyze stress",
         "rupture load --seed 2 -o a.h5",
         "rupture analyze front a.h5",
+        "# each: 1 of 2 points wait for what a report will say",
         "cp x y",
     ]
+
+
+def test_a_dry_run_says_how_many_points_wait_for_a_report(lab, capfd):
+    lab.call(dry_run=True)
+
+    def point(n):
+        each(front, [n])
+        return run(f"analyze phi --x {run(f'analyze stress --x {n}').said}")
+
+    for _ in range(2):
+        each(lambda n: point(n) if n else n, range(3), "fronts")
+    said = capfd.readouterr().out.splitlines()
+    assert said[-1] == "# fronts: 2 of 3 points wait for what a report will say"
+    assert len([line for line in said if line[0] == "#"]) == 1
 
 
 def test_a_script_of_the_commands_gives_the_same_files(lab, monkeypatch):

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Takes the place of a program, whose name it has: counts, and writes what it was asked for and has read.
-said=${0##*/} text='' out='' files='' code=0
+LAB=${0%/*}/.. said=${0##*/} text='' out='' files='' code=0
 for word; do case $word in --json | --quiet) ;; *) said="$said $word" ;; esac; done
 echo "$said" >>"$LAB/ran"
 [ -e "$LAB/crash" ] && kill -SEGV $$

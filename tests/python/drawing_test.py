@@ -1,6 +1,5 @@
-"""map, movie, watch and xdmf: pictures and the window that they show, films, a run that is watched
-to its end, packages that are missing, and files that appear whole or not at all. What they refuse
-is in tools/tables/drawing.txt."""
+"""map, movie and xdmf: pictures and the window that they show, films, packages that are missing,
+and files that appear whole or not at all. What they refuse is in tools/tables/drawing.txt."""
 
 import os
 import shutil
@@ -204,28 +203,17 @@ def test_the_front_is_that_of_the_event_that_began_last():
     np.testing.assert_equal(places, [np.nan, 0.0, 0.5, 0.0])
 
 
-def start(name, until):
-    command = [BIN / "load", "-q", "-o", f"{name}.h5", "--until", until, "--config", SMALL]
-    record = ["--record", f"{name}-record.h5", "--record-every", "2e-5"]
-    part = Path(f"{name}-record.h5.part")
-    return started([*command, *record, "--checkpoint-every", "1e-2"], part)
-
-
-def test_watch_follows_a_run_to_its_end(folder):
-    with start("w", "0.2"):
-        done = run("watch", "w-record.h5.part", "--every", "100ms")
-    assert (done.returncode, done.stderr) == (0, "")
-    *lines, last = done.stdout.splitlines()
-    assert last == "finished"
-    assert "t = 0.200000 s" in lines[-1]
-    assert f"{len(rupture.open('w-record.h5').ruptures.time)} ruptures" in lines[-1]
-
-
-def test_watch_says_that_a_run_was_killed(folder):
-    with start("k", "100") as it:
-        it.kill()
-    sentence = "the run that wrote k-record.h5.part was killed; rupture finish..."
-    refuses("watch k-record.h5.part", 1, sentence)
+def test_draws_a_record_that_is_growing(folder):
+    part = Path("g-record.h5.part")
+    command = [BIN / "load", "-q", "--config", SMALL, "--until", "100", "-o", "g.h5"]
+    with started([*command, "--record", "g-record.h5", "--record-every", "2e-5"], part) as it:
+        try:
+            for name in ("early.png", "late.svg"):
+                draws("map", part, "-o", name)
+            assert it.poll() is None
+        finally:
+            it.kill()
+    assert "Marks at the right: an event begins." in Path("late.svg").read_text()
 
 
 @pytest.fixture
@@ -235,7 +223,7 @@ def without_h5py(folder):
     return os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), os.environ["PYTHONPATH"]])}
 
 
-@pytest.mark.parametrize("name", ["map", "movie", "watch", "xdmf"])
+@pytest.mark.parametrize("name", ["map", "movie", "xdmf"])
 def test_packages_that_are_missing_are_named(without_h5py, name):
     sentence = "h5py is not installed; install it, on Debian with apt-get install python3-h5py"
     refuses(f"{name} --help", 1, sentence, env=without_h5py)
@@ -243,7 +231,7 @@ def test_packages_that_are_missing_are_named(without_h5py, name):
 
 def test_the_package_runs_programs_without_h5py(without_h5py):
     run_it = "import rupture, rupture.errors; print(rupture.__version__)"
-    for command in (("/usr/bin/python3", "-c", run_it), ("golden", "--version")):
+    for command in (("/usr/bin/python3", "-c", run_it), ("reproduce", "--version")):
         done = run(*command, env=without_h5py)
         assert (done.returncode, done.stderr) == (0, ""), done.stderr
     with pytest.raises(AttributeError, match="has no attribute 'nix'"):

@@ -22,7 +22,7 @@ from claims.samples import Sampling
 from conftest import ROOT, approx, run
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
-FILES = ("--force", "--quiet", "--sum", "--json", "-o", "--record", "--record-every")
+FILES = ("--force", "--quiet", "--json", "-o", "--record", "--record-every")
 # A recipe may also ask for checkpoints and crossings for later steps, name the only event of a
 # record, and measure in other ways, too.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings", "--also")
@@ -90,7 +90,7 @@ def lines_of_recipes(folder):
         patch.setattr(maps.Interfaces, "edge", lambda self, *_: self.kinds(1))
         patch.setattr(Sampling, "is_whole", True)
         patch.setattr("shutil.which", lambda name: name)  # LAMMPS
-        works = once.use(store=folder, cores=1).holdings.works
+        works = once.use(store=folder, cores=1).works
         ask_all()
         lines = {work.line for work in works.values()}
         once.finish()

@@ -12,7 +12,7 @@ from conftest import BIN, ROOT, need, need_modules
 need("ffmpeg")
 need_modules("pandas", "xarray")
 PAGES = ("README", "docs/tutorial", "docs/runs", "docs/pictures", "docs/sweeps", "docs/python")
-SKIP = ("export ", "rupture watch ", "paraview ")
+SKIP = ("export ", "paraview ")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```\n|((?:^    [^\n]*\n)+)", re.MULTILINE | re.DOTALL)
 SEEDS = re.compile("1 to [35]")
 FEWER = """[slider]

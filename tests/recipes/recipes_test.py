@@ -114,7 +114,6 @@ class Tiny(Project):
         """What a call does that succeeds: words of its commands, and "tiny" if it draws."""
         before, done = self.results(), self.call(*WORDS)
         assert done.returncode == 0, done.stderr + done.stdout
-        self.said = done.stdout + done.stderr
         drawn = re.findall(r"^\[.*\] \d+ of \d+: (\S+)", done.stdout, re.MULTILINE)
         assert (NOTHING in done.stdout) == (not drawn), done.stdout
         new = (
@@ -161,15 +160,24 @@ def test_commands_are_noted_for_the_report_and_the_crate(crashed):
     assert "#run-tiny" in {each["@id"] for each in crate["@graph"]}
 
 
+def test_a_mistake_in_one_figure_does_not_end_others(tiny):
+    shutil.copytree(tiny.root / "recipes/tiny", tiny.root / "recipes/wrong")
+    tiny.replace("recipes/wrong/figure.py", "    shipped()", "    1 / 0")
+    tiny.replace("recipes/tiny/figure.py", " N", " kN")
+    done = tiny.call("wrong", *WORDS)
+    assert done.returncode == 1 and "2 of 2: tiny" in done.stdout
+    sentence = "wrong: a mistake in its code, ZeroDivisionError('division by zero'): build/log/"
+    assert sentence in done.stderr and "Traceback" not in done.stderr
+    assert "in make\n    1 / 0\n" in (tiny.root / "build/log/mistakes.log").read_text()
+
+
 STRESS, TWICE, PREPARED = "analyze stress", "twice start.h5", "prepare --tau-bar"
 CHANGES = [  # in a file, what is replaced by what, and what follows
     ("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1, 0.2, 0.3)", [PREPARED, STRESS, TWICE]),
     ("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1,)", []),
-    ("recipes/tiny/measure.py", "2 *", "3 *", [TWICE] * 2),
     ("recipes/tiny/figure.py", " N", " kN", []),
     ("recipes/claims/claim.py", "\n\n", "\n\nX = 1\n", []),
     ("recipes/claims.toml", "]\n", ']\nX = "1"\n', []),
-    ("bin/prepare", "exec", ": ; exec", [PREPARED, STRESS, TWICE] * 2),
 ]
 
 
@@ -202,11 +210,6 @@ def test_what_changes_during_a_run_is_computed_by_the_next_call(tiny):
     assert tiny.computed() == ["tiny"]
 
 
-def test_dates_and_the_folder_do_not_count(crashed, tmp_path):
-    other = crashed[0].copied(tmp_path / "copy of it", copy_function=shutil.copy)
-    assert other.computed() == [] and other.runs() == 2
-
-
 @pytest.mark.parametrize("name", ["tiny.png", "claims.json", "commands.sh"])
 def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
     path = tiny.root / "results/tiny" / name
@@ -215,18 +218,6 @@ def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
     assert tiny.computed() == ["tiny"] and path.read_bytes() == before
     path.unlink()
     assert tiny.computed() == ["tiny"] and path.read_bytes() == before
-
-
-def test_what_starts_from_another_file_is_computed_again(tiny):
-    shutil.copyfile(ROOT / "checkpoints/second-slow.h5", tiny.root / "checkpoints/fast-only.h5")
-    assert tiny.computed() == ["analyze phi", "tiny"]
-
-
-def test_a_refusal_is_a_result_and_its_sentence_is_said(tiny):
-    tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1, 9)")
-    assert tiny.computed() == ["prepare --tau-bar", "tiny"]
-    assert re.search("runs: 1 of 2 refused: prepare: .*tau", tiny.said)
-    assert tiny.computed() == []
 
 
 LINKED = ("tiny", "runs.jsonl", "store/ab")
@@ -274,12 +265,19 @@ rupture prepare --tau-bar 0.1 -o start.h5
 rupture analyze stress start.h5
 # in Python: tiny.measure.twice start.h5
 """
+WAITS = DRY.replace(
+    DRY.splitlines(True)[-1],
+    """# runs: 1 of 1 points wait for what a report will say
+# More commands follow from reports that nobody has made yet.
+""",
+)
 
 
 def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
     assert tiny.call(*WORDS, "--dry-run").stdout == "# tiny\n"
     shutil.rmtree(tiny.root / "results")
     tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.1,)")
+    assert tiny.call(*WORDS, "--dry-run").stdout == WAITS
     tiny.replace("recipes/tiny/commands.py", ".F_T, measured", ", measured")
     done = tiny.call(*WORDS, "--dry-run")
     assert (done.returncode, done.stdout, done.stderr) == (0, DRY, "")
@@ -307,8 +305,7 @@ def test_the_commands_behind_it_give_the_same_files_by_hand(tiny):
 # --- interrupted -------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
-def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny, name, code):
+def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny):
     tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.3, 0.4, 0.5)")
     tiny.write("bin/wait")
     process = tiny.start(*WORDS)
@@ -317,8 +314,8 @@ def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny, name, co
     second = tiny.call(*WORDS)
     assert (second.returncode, second.stderr.count("\n")) == (1, 1)
     assert "another ./reproduce.sh is running in this folder; wait until" in second.stderr
-    process.send_signal(signal.Signals[name])
-    assert process.wait(WITHIN) == code
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(WITHIN) == 143
     assert process.stderr.read().endswith("and the same call goes on from there\n")
     wait_for(lambda: not any(Path(f"/proc/{n}").exists() for n in running.read_text().split()))
     assert "run it first" in tiny.call("clean", "--unneeded").stderr

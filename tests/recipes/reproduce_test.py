@@ -5,7 +5,6 @@ import re
 import signal
 import subprocess
 import sys
-from functools import partial
 from unittest.mock import Mock, patch
 
 import pytest
@@ -16,7 +15,6 @@ from rupture import programs
 from rupture.commands import machine
 from rupture.errors import Failure
 from reproduce.checks import defines_layout, slowest_tests
-from reproduce.place import count_cores, memory_of_allocation
 from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
 
@@ -28,8 +26,7 @@ REFUSED = [  # a command line, and the sentence
     ("fig3 --cores 0", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --cores=1e9", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --from", "unrecognized arguments: --from"),
-    ("fig3 --profile nope", "argument --profile: there is no .*/nope/step"),
-    ("fig3 --profile=", "argument --profile: there is no"),
+    ("fig3 --profile slurm", "unrecognized arguments: --profile slurm"),
     ("fig3 --programs /nope", "argument --programs: the programs are not in '/nope': there is no"),
     ("fig3 --programs=", "argument --programs: the programs are not in ''"),
     ("fig33", "there is no figure or command 'fig33': did you mean 'fig3'\\?$"),
@@ -201,38 +198,6 @@ def test_standard_output_that_takes_nothing_is_said(to, reason):
     command = ["bash", "-c", f"./reproduce.sh list >{to}"]
     done = subprocess.run(command, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     assert (done.returncode, done.stderr) == (3, f"reproduce.sh: standard output: {reason}\n")
-
-
-def test_a_profile_is_a_step_for_an_allocation_and_a_former_one_gets_a_sentence(project):
-    project.write("mine/step")
-    project.write("mine/config.yaml")
-    project.program("load", "")
-    call = partial(project.call, "fig3", "--profile", "mine/", "--programs", "bin")
-    done = call()
-    assert (done.returncode, done.stdout) == (2, "")
-    assert "a profile is a `step` and nothing else: delete mine/config.yaml, which" in done.stderr
-    (project.root / "mine/config.yaml").unlink()
-    done = call()
-    sentence = "the profile mine needs an allocation of SLURM; run the command with sbatch"
-    assert done.returncode == 1 and done.stderr.startswith(f"reproduce.sh: {sentence}")
-    project.environment = os.environ | {"SLURM_JOB_ID": "7", "SLURM_STEP_ID": "0"}
-    done = call()
-    assert done.returncode == 1
-    assert done.stderr.startswith("reproduce.sh: inside a step of a job")
-
-
-@pytest.mark.parametrize(
-    "text, cores", [("2", 2), ("16(x3)", 48), ("16(x2),8", 40), ("1,2(x2),3", 8)]
-)
-def test_cores_of_all_nodes(text, cores):
-    assert count_cores(text) == cores
-
-
-def test_memory_as_far_as_it_is_known():
-    per_node = {"SLURM_MEM_PER_NODE": "3000", "SLURM_JOB_NUM_NODES": "2"}
-    assert memory_of_allocation({"SLURM_MEM_PER_CPU": "500"}, 4) == 2000
-    assert memory_of_allocation(per_node, 4) == 6000
-    assert memory_of_allocation({}, 4) is None
 
 
 @pytest.mark.parametrize(

@@ -143,11 +143,11 @@ def test_a_dry_run_adds_up_what_programs_say_and_shows_what_they_refuse(folder):
     shutil.copyfile(ROOT / "checkpoints/fast-only.h5", "in.h5")
     Path("x.ini").write_text(FAR)
     sweep = Sweep(folder / "x.ini")
-    estimate = Estimate(sweep, 2)
+    estimate = Estimate(sweep)
     estimate.ask(sweep.points)
     each, kept, unknown, refused, sentence = estimate.lines(2)
     assert each.startswith("Each point takes ") and " min" in each, "12 without a unit are seconds"
-    assert each.endswith(" with 2 cores.") and " MB, " in each
+    assert " with " in each and " MB, " in each
     assert kept.startswith("Files that are kept take ")
     assert unknown == "Not counted, because they start from what runs find: later."
     assert (refused, sentence.split(" x ")[0]) == ("Refused:", "  1")

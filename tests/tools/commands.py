@@ -85,11 +85,6 @@ def checksum_of(file):
     return text.rstrip()
 
 
-def sum_line(file):
-    """The line of a .sum file or manifest."""
-    return f"content-sha256 {checksum_of(file)}  {file}\n"
-
-
 def is_like(text, pattern):
     """In the pattern, "..." stands for any text within a line."""
     return re.fullmatch(".*".join(map(re.escape, pattern.split("..."))), text)

@@ -10,7 +10,7 @@ from commands import json_of, lines_of, output_of, refuses, run
 
 # All programs in C++ and all commands of analyze; those in Python.
 PROGRAMS = ["load", "prepare", "restart", "modify-phi", "parameters", "finish", "seal"]
-PYTHON = ["golden", "map", "movie", "watch", "xdmf"]
+PYTHON = ["map", "movie", "xdmf"]
 COMMANDS = [command["name"] for command in json_of("analyze --describe")["commands"]]
 VALUES = {"number": "0.5", "integer": "7", "text": "word", "parameter": "a=1"}
 VALUES |= {"input file": "a.h5", "output file": "b.h5"}

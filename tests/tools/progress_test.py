@@ -1,5 +1,6 @@
 """What load and restart say of their progress, on a terminal and elsewhere."""
 
+import contextlib
 import fcntl
 import os
 import pty
@@ -20,7 +21,7 @@ TIME = r"t = 0\.\d{4} s of 0\.3000 s"
 RATE = r" *[\d,]+ steps/s"
 LEFT = r" *\d+(\.\d+)? (min|s) left"
 LINE = f"{DONE}   {TIME}   {RATE}   {LEFT}"
-LOAD = f"load {SMALL} --until 0.3 -o a.h5"
+LOAD = f"load {SMALL} --until 0.3"
 pytestmark = pytest.mark.usefixtures("folder")
 
 
@@ -55,7 +56,7 @@ def on_terminal(line, width):
 
 @pytest.mark.parametrize("width", [100, 20])
 def test_on_a_terminal_is_one_line_that_is_cut_where_it_ends(width):
-    first, *lines, cleared, rest = on_terminal(LOAD, width)
+    first, *lines, cleared, rest = on_terminal(f"{LOAD} -o a.h5", width)
     assert (first, cleared, rest) == ("", " " * (width - 1), "")
     assert lines
     for line in lines:
@@ -83,24 +84,29 @@ def test_an_alarm_begins_a_line():
     assert lines[alarm - 1] == " " * 79
 
 
-def stopped_for(pause, line):
-    """Standard error of a run that stands still for a while, once it has begun."""
-    process = start(f"{line} --checkpoint-at 1ms", subprocess.PIPE)
-    while not Path("a-t0.001000000.h5").exists():
+def stopped_for(pause, *lines):
+    """Standard error of runs that stand still for a while, all at the same time."""
+    runs = [
+        start(f"{line} -o {n}.h5 --checkpoint-at 1ms", subprocess.PIPE)
+        for n, line in enumerate(lines)
+    ]
+    while len(list(Path().glob("?-t0.001000000.h5"))) < len(runs):
         time.sleep(0.01)
-    with stopped(process):
+    with contextlib.ExitStack() as still:
+        for run in runs:
+            still.enter_context(stopped(run))
         time.sleep(pause)
-    err = process.communicate()[1].decode()
-    assert process.returncode == 0, err
-    return err
+    said = [run.communicate()[1].decode() for run in runs]
+    assert not any(run.returncode for run in runs), said
+    return said
 
 
-def test_elsewhere_is_a_line_per_tenth_of_what_takes_long():
-    err = stopped_for(5, LOAD)
-    assert re.fullmatch(rf"load: {LINE}\n", err)
-    assert [int(done) % 10 for done in re.findall(DONE, err)] == [0]
+def test_elsewhere_is_a_line_per_tenth_of_what_takes_long_unless_it_is_quiet():
+    line, nothing = stopped_for(5, LOAD, f"{LOAD} --quiet")
+    assert re.fullmatch(rf"load: {LINE}\n", line)
+    assert [int(done) % 10 for done in re.findall(DONE, line)] == [0]
+    assert nothing == ""
 
 
-@pytest.mark.parametrize(("pause", "quiet"), [(0, ""), (5, " --quiet")])
-def test_elsewhere_short_and_quiet_runs_print_nothing(pause, quiet):
-    assert stopped_for(pause, f"load {SMALL} --until 0.1 -o a.h5{quiet}") == ""
+def test_elsewhere_short_runs_print_nothing():
+    assert stopped_for(0, f"load {SMALL} --until 0.1") == [""]

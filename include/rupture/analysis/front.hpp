@@ -40,10 +40,6 @@ struct RuptureLine {
   std::size_t ruptured_before() const;  ///< how many blocks
 };
 
-/// The first rupture of each block at times in [from, to] [s].
-FirstRuptures first_ruptures(const Parameters& parameters, std::span<const Rupture> ruptures,
-                             double from, double to);
-
 /// The ruptures of one event, in the window [from, to] [s] and before it.
 RuptureLine rupture_line(const Parameters& parameters, std::span<const Rupture> ruptures,
                          double from, double to);

@@ -17,30 +17,12 @@ struct Checkpoint {
   std::string checksum = {};  ///< of the content of the file that was read; empty if none was
 };
 
-/// The state as datasets under /state (docs/schema.md).
-Content state_content(const State& state);
-
-/// Throws Failure if a dataset is missing or does not fit the parameters, or if the junctions
-/// contradict themselves.
-State read_state(const Content& content, const Parameters& parameters);
-
-/// The memory of a run as datasets under /run.
-Content run_content(const RunSoFar& run);
-
-/// None if there is no /run, as in files that are not of a run. Throws Failure if it
-/// is incomplete or contradicts the step that the state is at.
-std::optional<RunSoFar> read_run(const Content& content, const Parameters& p, std::int64_t step);
-
-/// The latest event in /run of either kind of file; not known if it is not there. Throws Failure.
-LatestEvent read_event(const Content& content, const Parameters& p);
-
 /// All datasets of the checkpoint that holds these.
 Content checkpoint_content(const Checkpoint& checkpoint);
 
-/// Writes a checkpoint and, on request, its .sum; returns its content checksum. Throws Failure as
-/// write_content() does.
+/// Writes a checkpoint; returns its content checksum. Throws Failure as write_content() does.
 std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                             IfExists if_exists, SumFile sum = SumFile::omit);
+                             IfExists if_exists);
 
 /// Throws Failure, in one sentence that names the file, unless it is an intact checkpoint.
 Checkpoint read_checkpoint(const std::filesystem::path& path);

@@ -9,10 +9,11 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
-#include "rupture/checkpoint/header.hpp"
+#include "rupture/checkpoint/kinds.hpp"
 
 namespace rupture {
 
@@ -53,6 +54,14 @@ struct Dataset {
 /// All datasets of a file by absolute path, e.g. "/state/u_x".
 using Content = std::map<std::string, Dataset>;
 
+/// What other programs are told about a dataset besides its unit.
+struct Label {
+  std::string long_name;
+  /// Dataset with the values along each dimension; itself in a scale, none if unknown.
+  std::vector<std::string> axes;
+};
+using Labels = std::map<std::string, Label>;  ///< by path
+
 /// The element type that holds a T.
 template <class T>
 inline constexpr DataType kDataTypeOf = [] {
@@ -62,6 +71,7 @@ inline constexpr DataType kDataTypeOf = [] {
   if (std::is_same_v<T, std::uint32_t>) return DataType::uint32;
   if (std::is_same_v<T, std::uint16_t>) return DataType::uint16;
   if (std::is_same_v<T, std::uint8_t>) return DataType::uint8;
+  if (std::is_same_v<T, std::string>) return DataType::text;
   throw "no type of a dataset";  // at compile time, in which this function runs
 }();
 
@@ -162,6 +172,7 @@ struct EditedFile {
   FileKind kind = FileKind::checkpoint;
   std::string sealed_checksum;  ///< content checksum that rupture stored; empty if it is gone
   bool content_is_as_sealed = false;
+  bool is_sealed = false;  ///< and so is every other byte
   Content content;
 };
 

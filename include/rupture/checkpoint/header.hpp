@@ -1,35 +1,18 @@
-// What kinds of files there are, and the header in front of each.
+// The header in front of each file.
 #pragma once
 
 #include <cstddef>
 #include <span>
-#include <string_view>
 
-#include "rupture/model/error.hpp"
+#include "rupture/checkpoint/kinds.hpp"
 
 namespace rupture {
-
-/// `open_record` is a record that is still being written or whose run was interrupted: pieces that
-/// follow each other, each with a header of its own.
-enum class FileKind { checkpoint, record, open_record };
 
 /// The header in front of every file [bytes] (HDF5's user block): readable text with the kind of
 /// file, its size, and the SHA-256 of all bytes that follow. It lets damage be seen before libhdf5
 /// looks at anything, and has exactly one valid form for a given body, so that no bit of the file,
 /// its own included, can change unnoticed.
 inline constexpr std::size_t kHeaderSize = 512;
-
-/// "rupture-checkpoint", "rupture-record" or "rupture-record-part": first line of the header and
-/// root attribute `format`.
-std::string_view format_name(FileKind kind);
-
-/// "a checkpoint", "a record" or "an unfinished record".
-std::string_view kind_text(FileKind kind);
-
-/// "checkpoint", "record", "unfinished record".
-inline std::string_view kind_name(FileKind kind) {
-  return kind_text(kind).substr(kind_text(kind).find(' ') + 1);
-}
 
 /// The header, kHeaderSize bytes, that belongs in front of `body`.
 std::string header_text(FileKind kind, std::span<const std::byte> body);
@@ -45,18 +28,16 @@ FileKind header_kind(std::span<const std::byte> file, const std::string& name);
 /// whole behind them is seen by its SHA-256.
 std::size_t intact_piece(std::span<const std::byte> bytes);
 
-/// Thrown if what follows the header of a file of ours is not what was sealed.
+/// Whether the bytes of a file of this kind, which may be none of ours, are as they were sealed.
+bool has_its_header(std::span<const std::byte> file, FileKind kind);
+
+/// Thrown if the bytes of a file of ours are not those that were sealed.
 struct BrokenSeal : Failure {
   using Failure::Failure;
 };
 
-/// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty, not
-/// ours or damaged in its header, BrokenSeal if it is truncated or damaged behind that.
+/// Verifies header and body of a whole checkpoint or record. Throws Failure if it is empty or not
+/// ours, BrokenSeal if it is truncated, damaged or changed.
 FileKind check_envelope(std::span<const std::byte> file, const std::string& name);
-
-/// Thrown if a file was packed with a filter that this machine lacks, whatever it holds.
-struct Unreadable : Failure {
-  using Failure::Failure;
-};
 
 }  // namespace rupture

@@ -8,7 +8,7 @@ namespace rupture {
 
 /// Reads and verifies a checkpoint or record. Throws Failure if it is damaged, or an unfinished
 /// record, which cannot be verified.
-ContentFile verify_file(const std::filesystem::path& path, Opening opening = Opening::here);
+ContentFile verify_file(const std::filesystem::path& path);
 
 /// The content to be sealed: checked as read_checkpoint() and read_record() do, with `entry` at the
 /// end of its provenance and without the memory of the run. Throws Failure.

@@ -6,6 +6,7 @@ import re
 import shlex
 from functools import cached_property
 from pathlib import Path
+from threading import Lock
 
 from rupture.commands.code import OURS, WRITERS, build_at, digest, digest_at
 from rupture.commands.code import digest_of_function, stamp_of
@@ -40,7 +41,8 @@ class Made(os.PathLike):
 
 class Work:
     """Something to be done once. `line`: how one types it; `own`: what it is known by; `inputs`:
-    {plain name: a Made, or the path of a user's own file}."""
+    {plain name: a Made, or the path of a user's own file}; `owners`: how many open points have
+    named it; `readers`: how many need its files now."""
 
     outputs: list[str] = []
     has_report = True
@@ -48,6 +50,12 @@ class Work:
     def __init__(self, making, folder):
         self.making, self.folder = making, folder
         self.inputs, self.kept, self.stamps = {}, set(), {}
+        self.owners = self.readers = 0
+        self.lock = Lock()  # of who does it
+
+    def sources(self):
+        """Those whose files it reads."""
+        return [source.work for source in self.inputs.values() if isinstance(source, Made)]
 
     def known_by(self, *parts):
         sources = (f"{name}={self.content(source)}" for name, source in self.inputs.items())
@@ -136,9 +144,9 @@ class Command(Work):
         return word
 
     def input_of(self, own, name):
-        if own not in self.making.holdings.works:
+        if own not in self.making.works:
             raise UsageError(f"@{own}/{name} is a file of another call: make it in this one")
-        return self.named(name, Made(self.making.holdings.works[own], name))
+        return self.named(name, Made(self.making.works[own], name))
 
     def __getitem__(self, name):
         """Raises NoSuchName for a file that it does not write, as far as its words tell."""
@@ -155,9 +163,9 @@ class Command(Work):
         said = SAID.get(self.program, [])
         words = [self.path, *self.words[1:], *(w for w in said if w not in self.words)]
         try:
-            code, output, sentence = executor.start(words, folder).result()
+            code, output, sentence = executor.run(words, folder)
         except OSError as error:
-            raise MachineFailure(f"'{self.line}' cannot start: {error.strerror}") from error
+            raise MachineFailure(f"'{self.line}' cannot run: {error}") from error
         if code and not (code == 1 and self.has_report and output and not sentence):  # as of diff
             last = "".join(sentence.splitlines()[-1:])
             if code in (1, 2) and last.removeprefix("rupture ").startswith(f"{self.program}: "):

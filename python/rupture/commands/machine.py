@@ -5,7 +5,7 @@ from contextlib import suppress
 from pathlib import Path
 
 OWN, ALL = Path("/proc/self/cgroup"), Path("/sys/fs/cgroup")
-ROOM = 1024  # megabytes that each program may need
+ROOM = 1024  # megabytes that a program may need
 
 
 def limits(*files):
@@ -28,5 +28,6 @@ def usable_megabytes():
     return min([[present], *limits("memory.max"), *limits("memory.limit_in_bytes")])[0] // 2**20
 
 
-def programs_at_a_time():
-    return max(1, min(usable_cores(), usable_megabytes() // ROOM))
+def programs_at_a_time(megabytes=None, threads=1):
+    """What each may need."""
+    return max(1, min(usable_cores() // threads, usable_megabytes() // (megabytes or ROOM)))

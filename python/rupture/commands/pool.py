@@ -1,4 +1,4 @@
-"""A pool of threads: as many work as there are cores. Whoever waits lets another one work."""
+"""Points at work on as many cores as there are. Whoever waits lends its core to another."""
 
 import threading
 from collections import deque
@@ -23,10 +23,16 @@ class Pool:
 
     def __init__(self, cores):
         self.changed = threading.Condition()
-        self.free, self.resuming = cores - 1, 0  # one is the caller's
-        self.threads, self.idle, self.most = 0, 0, 4 * cores + 60
+        self.cores, self.free, self.resuming = cores, cores - 1, 0  # one is the caller's
+        self.threads, self.spare = 0, 60
         self.groups = []  # that have points nobody has begun, the innermost last
         self.stopped = False
+
+    def resize(self, cores):
+        with self.changed:
+            self.free += cores - self.cores
+            self.cores = cores
+            self.hire()
 
     def map(self, function, points):
         """The results for all points, in their order. Raises what one of them raised, when those
@@ -38,9 +44,10 @@ class Pool:
             self.groups.append(group)
             self.hire()
         while job := self.next_of(group):
-            self.do(group, *job)
-        with self.waits():
-            group.done.wait()
+            self.do(*job)
+        if not group.done.is_set():
+            with self.waits():
+                group.done.wait()
         if group.fault:
             raise group.fault
         return group.results
@@ -61,44 +68,39 @@ class Pool:
                 self.free -= 1
 
     def hire(self):
-        """Finds threads for what can be begun; `changed` is held."""
-        begun = min(self.free - self.resuming, sum(len(group.waiting) for group in self.groups))
-        for _ in range(min(begun - self.idle, self.most - self.threads)):
+        """Starts threads for what can be begun; `changed` is held."""
+        while (
+            self.groups and self.free > self.resuming and self.threads < 4 * self.cores + self.spare
+        ):
+            self.free -= 1
             self.threads += 1
-            self.idle += 1
-            threading.Thread(target=self.work, daemon=True).start()
+            job = self.next_of(self.groups[-1])
+            threading.Thread(target=self.work, args=[job], daemon=True).start()
         self.changed.notify_all()
 
-    def work(self):
-        while True:
-            with self.changed:
-                self.changed.wait_for(self.is_needed)
-                if self.stopped:
-                    return
-                self.free -= 1
-                self.idle -= 1
-                group = self.groups[-1]
-                job = self.next_of(group)
-            self.do(group, *job)
-            with self.changed:
-                self.free += 1
-                self.idle += 1
-                self.changed.notify_all()
+    def work(self, job):
+        while job:
+            self.do(*job)
+            job = self.another()
 
-    def is_needed(self):
-        return self.stopped or self.groups and self.free > self.resuming
-
-    def close(self):
-        self.stopped = True
+    def another(self):
+        """None if there is none, or somebody who has waited needs the core."""
         with self.changed:
+            if self.groups and self.free >= self.resuming and not self.stopped:
+                return self.next_of(self.groups[-1])
+            self.free += 1
+            self.threads -= 1
             self.changed.notify_all()
+        return None
 
     def next_of(self, group):
         with self.changed:
-            job = group.waiting.popleft() if group.waiting else None
-            if job and not group.waiting:
+            if not group.waiting:
+                return None
+            job = group.waiting.popleft()
+            if not group.waiting:
                 self.groups.remove(group)
-        return job
+        return group, *job
 
     def do(self, group, number, point):
         try:
@@ -117,7 +119,12 @@ class Pool:
         with self.changed:
             if not group.fault or isinstance(group.fault, Stopped):
                 group.fault = fault
-            group.left -= len(group.waiting)
             if group.waiting:
-                self.groups.remove(group)
+                group.left -= len(group.waiting)
                 group.waiting.clear()
+                self.groups.remove(group)
+
+    def close(self):
+        self.stopped = True
+        with self.changed:
+            self.changed.notify_all()

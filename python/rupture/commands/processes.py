@@ -1,56 +1,70 @@
-"""Runs the programs of commands, here as processes of this machine."""
+"""Runs the programs of commands as processes of this machine."""
 
 import os
 import shutil
 import signal
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from weakref import WeakSet
+from threading import RLock
 
-WITH_US = ["setpriv", "--pdeathsig"]  # they get a signal if we are killed
+from rupture.commands.machine import programs_at_a_time
+from rupture.errors import MachineFailure
+
+WITH_US = ["setpriv", "--pdeathsig", "KILL"]  # they are killed if we are
 
 
 class Local:
-    """What another executor has, too: start(words, folder), which returns what has the result(),
-    and stop(). `step` takes the place of a shell, and runs the command in an allocation of SLURM.
-    """
+    """What another executor has, too: how many `cores`, and `where` they are; run(words, folder),
+    stop(), close(); and watch(), with what is to be called when the number of cores changes."""
 
-    def __init__(self, step=None):
-        self.running: WeakSet[Process] = WeakSet()
-        self.stopped = False
-        self.ending = signal.SIGINT if step else signal.SIGKILL  # a step ends what runs elsewhere
-        self.prefix = (
-            [*WITH_US, self.ending.name.removeprefix("SIG")] if shutil.which(WITH_US[0]) else []
-        )
-        self.prefix += [str(step), "-c", 'exec "$0" "$@"'] if step else []
+    where = ""
+
+    def __init__(self, megabytes=None, threads=1):
+        self.cores, self.threads = programs_at_a_time(megabytes, threads), threads
+        self.running: set[subprocess.Popen] = set()
+        self.guard, self.stopped = RLock(), False
+        self.starter = ThreadPoolExecutor(1)  # no signal comes between a start and its note
+        self.starter.submit(int).result()  # its thread begins before a signal may interrupt that
+        self.prefix = WITH_US if shutil.which(WITH_US[0]) else []
+
+    def run(self, words, folder):
+        """Exit code, standard output, and what was said on the other stream."""
+        process = self.starter.submit(self.start, words, folder).result()
+        try:
+            output, said = process.communicate()
+            return process.returncode, output, said.strip()
+        finally:
+            self.running.discard(process)
 
     def start(self, words, folder):
-        process = Process(
-            [*self.prefix, *words],
-            cwd=folder,
-            env={"OMP_NUM_THREADS": "1", **os.environ},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            errors="replace",
-            start_new_session=True,
-        )
-        self.running.add(process)
-        if self.stopped:
-            self.stop()
+        with self.guard:
+            if self.stopped:
+                raise MachineFailure("it was stopped")
+            process = subprocess.Popen(
+                [*self.prefix, *words],
+                cwd=folder,
+                env={"OMP_NUM_THREADS": str(self.threads), **os.environ},
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                errors="replace",
+                start_new_session=True,
+            )
+            self.running.add(process)
         return process
 
     def stop(self):
-        """Takes no lock: signals call it. Nobody needs what the programs have written."""
-        self.stopped = True
-        for process in list(self.running):
-            with suppress(ProcessLookupError):
-                os.killpg(process.pid, self.ending)
+        """Signals call it, in the main thread. Nobody needs what the programs have written."""
+        with self.guard:
+            self.stopped = True
+            for process in list(self.running):
+                with suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGKILL)
 
+    def close(self):
+        self.starter.shutdown(wait=False)
 
-class Process(subprocess.Popen):
-    def result(self):
-        """Exit code, standard output, and what was said on the other stream."""
-        output, said = self.communicate()
-        return self.returncode, output, said.strip()
+    def watch(self, _):
+        """It does not change."""

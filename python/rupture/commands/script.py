@@ -18,9 +18,8 @@ def with_sources(works):
 
     def add(work):
         if work.own not in found:
-            for source in work.inputs.values():
-                if isinstance(source, Made):
-                    add(source.work)
+            for source in work.sources():
+                add(source)
             found[work.own] = work
 
     for work in works:

@@ -20,18 +20,9 @@ def check_output(name, force, endings=(), inputs=()):
         raise UsageError("the name of an output is empty; give the path of a file")
     if endings and path.suffix.lower() not in endings:
         raise UsageError(f"{path} must end with {', '.join(endings[:-1])} or {endings[-1]}")
-    if not path.parent.is_dir():
-        why = f"{path.parent} is not an existing folder"
-        raise Failure(f"cannot write {path}: {why}; give another path")
     if any(path.exists() and os.path.exists(one) and path.samefile(one) for one in inputs):
         raise UsageError(f"{path} is the input, which is never changed: give another output")
-    if path.is_dir():
-        raise Failure(f"{path} is a folder; give the path of a file to write")
-    links = [path]
-    while path.exists() and links[-1].is_symlink():
-        links.append(links[-1].parent / links[-1].readlink())
-    through_proc = any(str(one).startswith("/proc/") for one in links[1:])  # as /dev/stdout leads
-    if path.exists() and (not path.is_file() or through_proc):
+    if path.exists() and not path.is_file():
         raise Failure(f"{path} is not a regular file; give the path of a file to write")
     if os.path.lexists(path) and not force:
         raise Failure(f"{path} {EXISTS}")

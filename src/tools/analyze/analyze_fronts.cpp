@@ -1,6 +1,6 @@
 // analyze events, front, classify: the events in a record, and the front of one of them.
 #include "analyze/analyze.hpp"
-#include "analyze/records.hpp"
+#include "analyze/front_report.hpp"
 #include "cli/text.hpp"
 #include "rupture/model/derived.hpp"
 
@@ -181,13 +181,6 @@ int print_each(const Parsed& parsed, Report (*measure)(const RecordCommand&)) {
   }
   for (const Report& report : reports) print(report, parsed.values);
   return kDone;
-}
-
-/// What the record does not show of its first and last event.
-std::string events_text(const Parameters& p, const std::vector<Event>& events, double quiet) {
-  const Event &first = events.front(), &last = events.back();
-  return hidden_text(first.front, {}) +
-         hidden_text({}, {last.silence, quiet, last.front.line.is_over}) + apart_text(p, quiet);
 }
 
 Report report_of_events(const RecordCommand& command) {

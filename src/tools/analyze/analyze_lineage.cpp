@@ -4,6 +4,7 @@
 #include "analyze/analyze.hpp"
 #include "cli/report.hpp"
 #include "run/output.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/checkpoint/verify.hpp"
 
 namespace rupture::tools {
@@ -40,39 +41,29 @@ struct StartFile {
   std::string checksum;
 };
 
-/// The options that the commands of files have (run/files.hpp): those that determine the result.
-constexpr std::string_view kOfRuns =
-    " --set --until --record-every --record-every-in-events --crossings --fields ";
-constexpr std::array<std::array<std::string_view, 2>, 4> kWritten = {
-    {{"load", kOfRuns},
-     {"restart", kOfRuns},
-     {"prepare",
-      " --set --tau-bar --sigma-bar --shape --x-trigger --tau-bar-trigger --no-trigger "},
-     {"modify-phi", " --shape --sigma-bar --x-from --x-to --slipping "}}};
-constexpr std::string_view kFlag = "--no-trigger";  // the others have a value
-
-/// Whether such an option has this value: a number or words, and NAME=VALUE only for --set.
-bool is_value(const std::string& word, std::string_view option) {
-  const bool is_option = word.starts_with('-') && word.find_first_of("0123456789") != 1;
-  return !word.empty() && !is_option &&
-         (word.find('=') != std::string::npos) == (option == "--set");
-}
+constexpr std::array kMakers = {&load_command, &restart_command, &prepare_command,
+                                &modify_phi_command};
 
 /// Whether the text is a command as the programs write it, so that running it does no more than
 /// make a file of the name that the script gives it.
 bool is_our_command(const std::string& text) {
-  constexpr std::string_view harmless =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+=.,- ";
-  if (text.find_first_not_of(harmless) != std::string::npos) return false;
-  const auto words = split(text, ' ');
-  const auto program = std::ranges::find(kWritten, words.front(), [](auto row) { return row[0]; });
-  if (program == kWritten.end()) return false;
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::string& option = words[i];
-    if (program->back().find(" " + option + " ") == std::string_view::npos) return false;
-    if (option != kFlag && (++i == words.size() || !is_value(words[i], option))) return false;
+  const auto command = read_rebuild(text);
+  if (!command) return false;
+  const auto maker = std::ranges::find(kMakers, command->tool, &Command::name);
+  if (maker == kMakers.end()) return false;
+  po::options_description known;
+  for (const AddOptions add : (*maker)->own) {
+    if (add != nullptr) add(known);
   }
-  return true;
+  return std::ranges::all_of(command->options, [&](const RebuildCommand::Option& option) {
+    const bool is_assignment = option.value.find('=') != std::string::npos;
+    if (option.name == "set") {
+      return is_assignment && (*maker)->uses_parameters == UsesParameters::yes;
+    }
+    const auto* const declared = known.find_nothrow(option.name, false);
+    return declared != nullptr && is_in_rebuild(*declared) && !is_assignment &&
+           option.value.empty() == (declared->semantic()->max_tokens() == 0);
+  });
 }
 
 std::string build_text(const ProvenanceEntry& entry) {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "analyze/analyze.hpp"
-#include "analyze/records.hpp"
-#include "run/files.hpp"
+#include "analyze/chosen_event.hpp"
+#include "run/steps.hpp"
 #include "rupture/analysis/slip.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"
@@ -14,11 +14,35 @@
 namespace rupture::tools {
 namespace {
 
-std::string slip_text(double x, const std::optional<double>& t_rupture,
+/// When a block ruptured first in its event [s].
+struct FirstRupture {
+  std::optional<double> in_window;
+  std::optional<double> before;  ///< of the event that is under way when the window begins
+};
+
+FirstRupture rupture_of(const RecordCommand& command, std::size_t block) {
+  const Record& record = command.record;
+  if (record.time.empty()) return {};  // for `analyze quantities`
+  const double from = first_moment(command), quiet = quiet_time(command);
+  const auto ruptures = ruptures_below(record, kRupturedFraction);
+  FirstRupture first;
+  for (const auto event : split_at_pauses(ruptures, quiet)) {
+    if (event.back().time < from - quiet || first.in_window) continue;
+    const RuptureLine line = rupture_line(record.parameters, event, from, command.to);
+    if (line.before[block]) first.before = line.before[block];
+    first.in_window = line.t_rupture[block];
+  }
+  return first;
+}
+
+std::string slip_text(double x, const FirstRupture& rupture,
                       const std::optional<SlipMeasure>& measure) {
+  const auto& [t_rupture, before] = rupture;
   std::string text = fmt::format(
       "block at x = {:.4f} m, {}\n", x,
-      t_rupture ? fmt::format("rupture at t = {:.7f} s", *t_rupture) : "never ruptured");
+      t_rupture ? fmt::format("rupture at t = {:.7f} s", *t_rupture)
+      : before  ? fmt::format("which ruptured before the window, at t = {:.7f} s", *before)
+                : "never ruptured");
   if (!measure) return text;
   text += fmt::format("fast slip {:.4g} um until t = {:.6f} s, then slow slip {:.4g} um\n",
                       measure->fast_slip * 1e6, measure->t_arrest, measure->slow_slip * 1e6);
@@ -44,8 +68,8 @@ double fast_above(const Record& record, Eigen::Index block, double t_rupture, do
 Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fast) {
   const Record& record = command.record;
   const Parameters& p = record.parameters;
-  const auto i = static_cast<std::size_t>(block);
-  const auto t_rupture = first_ruptures(p, record.ruptures, command.from, command.to)[i];
+  const FirstRupture rupture = rupture_of(command, static_cast<std::size_t>(block));
+  const auto& t_rupture = rupture.in_window;
   std::vector<double> time, u_x, slip;
   for (std::size_t n = 0; n < record.time.size(); ++n) {
     if (record.time[n] < command.from || record.time[n] > command.to) continue;
@@ -66,7 +90,10 @@ Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fas
   };
   const Quantities rows = {
       {"x", "m", "position of the block", block_position(p, block)},
-      {"t_rupture", "s", "first rupture of the block", t_rupture},
+      {"t_rupture", "s", "first rupture of the block in the window; null if it ruptured before",
+       t_rupture},
+      {"t_before", "s", "first rupture of the block in the event, before the window begins",
+       rupture.before},
       {"t_arrest", "s", "time at which the block first stops after its rupture",
        measured(&SlipMeasure::t_arrest)},
       {"fast_slip", "m", "slip until the block first stops", measured(&SlipMeasure::fast_slip)},
@@ -83,7 +110,7 @@ Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fas
       {"time", "s", "time of each sample", time, Csv::yes},
       {"slip", "m", "slip since the start of the window, at each sample", slip, Csv::yes},
   };
-  return {rows, slip_text(block_position(p, block), t_rupture, measure)};
+  return {rows, slip_text(block_position(p, block), rupture, measure)};
 }
 
 Quantities quantities_of(const Record& record) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "analyze/analyze.hpp"
-#include "analyze/records.hpp"
+#include "analyze/front_report.hpp"
 #include "rupture/analysis/slip.hpp"
 #include "rupture/analysis/slow_slip.hpp"
 #include "rupture/model/derived.hpp"

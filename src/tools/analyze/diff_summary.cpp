@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "cli/text.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/checkpoint/provenance.hpp"
@@ -21,10 +22,10 @@ struct Ancestor {
 std::optional<double> time_after(const ProvenanceEntry& step, std::optional<double> before) {
   if (step.tool == "prepare") return 0.0;
   if (step.tool == "modify-phi") return before;
-  constexpr std::string_view option = " --until ";
-  const std::size_t found = step.rebuild.find(option);
-  if (found == std::string::npos) return std::nullopt;
-  return std::strtod(step.rebuild.c_str() + found + option.size(), nullptr);
+  const auto command = read_rebuild(step.rebuild);
+  const auto* const until = command ? command->find("until") : nullptr;
+  if (until == nullptr) return std::nullopt;
+  return std::strtod(until->value.c_str(), nullptr);
 }
 
 /// The file itself, before it that from which it was made, and so on.

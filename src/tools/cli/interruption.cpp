@@ -15,40 +15,40 @@ namespace {
 
 // NOLINTBEGIN(*-avoid-non-const-global-variables): nothing else can a signal handler write, which
 // may run in any thread
-std::atomic<int> noted = 0;
-std::atomic<double> noted_at = 0.0;  // [s]
-static_assert(decltype(noted)::is_always_lock_free && decltype(noted_at)::is_always_lock_free,
+std::atomic<int> caught = 0;
+std::atomic<double> caught_at = 0.0;  // [s]
+static_assert(decltype(caught)::is_always_lock_free && decltype(caught_at)::is_always_lock_free,
               "else a handler may not write them");
 // NOLINTEND(*-avoid-non-const-global-variables)
 
-extern "C" void note(int signal) {
+extern "C" void on_signal(int signal) {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   const double seconds = static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  if (noted == 0) {
-    noted_at = seconds;  // first: another signal may come in between
-    noted = signal;
-  } else if (seconds - noted_at > 0.5 && signal != SIGXCPU) {  // the kernel repeats that one
+  if (caught == 0) {
+    caught_at = seconds;  // first: another signal may come in between
+    caught = signal;
+  } else if (seconds - caught_at > 0.5 && signal != SIGXCPU) {  // the kernel repeats that one
     end_by_signal(signal);
   }
 }
 
 }  // namespace
 
-void note_interruptions() {
+void catch_interruptions() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler == SIG_IGN) continue;
     action = {};
-    action.sa_handler = note;
+    action.sa_handler = on_signal;
     action.sa_flags = SA_RESTART | SA_NODEFER;  // so that it can end the process
     sigaction(signal, &action, nullptr);
   }
 }
 
 int interruption() {
-  return noted;
+  return caught;
 }
 
 void occupy_standard_streams() {

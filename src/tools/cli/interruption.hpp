@@ -7,12 +7,12 @@
 namespace rupture::tools {
 
 /// From now on, the first SIGINT, SIGTERM or SIGHUP, or SIGUSR1, SIGUSR2 or SIGXCPU, by which
-/// schedulers warn, is only noted; one that comes more than half a second later ends the process at
-/// once (a closed terminal sends two within a moment). Signals that were ignored, as under nohup,
-/// stay ignored.
-void note_interruptions();
+/// schedulers warn, only stops the run; one that comes more than half a second later ends the
+/// process at once (a closed terminal sends two within a moment). Signals that were ignored, as
+/// under nohup, stay ignored.
+void catch_interruptions();
 
-/// The signal that was noted, or 0.
+/// The signal that came, or 0.
 int interruption();
 
 /// Thrown when a run has stopped at a signal and everything is saved.

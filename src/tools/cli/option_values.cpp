@@ -79,7 +79,21 @@ po::typed_value<T>* described(ValueKind kind) {
   return new DescribedValue<T>(std::move(kind));
 }
 
+class Flag : public po::untyped_value, public ValueKind {
+ public:
+  Flag() : po::untyped_value(true), ValueKind{"flag", ""} { is_in_rebuild = true; }
+};
+
 }  // namespace
+
+po::value_semantic* in_rebuild() {
+  return new Flag();
+}
+
+bool is_in_rebuild(const po::option_description& option) {
+  const auto* const kind = dynamic_cast<const ValueKind*>(option.semantic().get());
+  return kind != nullptr && kind->is_in_rebuild;
+}
 
 po::typed_value<double>* seconds() {
   return number("T", "s");

@@ -17,6 +17,7 @@ struct ValueKind {
   std::string name;        ///< such as T or FILE; of a choice its words, as in uniform|bell
   std::string unit = {};   ///< of numbers: SI, "1" for none
   std::string holds = {};  ///< of files, such as "record"
+  bool is_in_rebuild = false;  ///< it changes what is written: the file keeps it (run/rebuild.hpp)
 };
 
 /// Values for the declarations of options; like those of po::value() they belong to their option.
@@ -34,6 +35,15 @@ po::typed_value<std::string>* text(const std::string& name);
 po::typed_value<std::vector<std::string>>* assignments();
 po::typed_value<std::string>* input_file(const std::string& holds);
 po::typed_value<std::string>* output_file(const std::string& holds);
+
+/// The word for options that belong to the command that makes a file anew; without a value, a flag.
+template <class T>
+po::typed_value<T>* in_rebuild(po::typed_value<T>* value) {
+  dynamic_cast<ValueKind&>(*value).is_in_rebuild = true;
+  return value;
+}
+po::value_semantic* in_rebuild();
+bool is_in_rebuild(const po::option_description& option);
 
 /// The value of a time, a length or the like. Throws UsageError unless it is finite and >= 0.
 double non_negative(const po::variables_map& values, const std::string& option);

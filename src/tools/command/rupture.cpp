@@ -7,6 +7,7 @@
 
 #include "cli/report.hpp"
 #include "run/output.hpp"
+#include "rupture/checkpoint/layout.hpp"
 #include "rupture/model/user_text.hpp"
 
 namespace {
@@ -36,13 +37,11 @@ const std::array kTools = {
     Tool{"analyze", "measure, compare and check checkpoints and records", "Measure and draw"},
     Tool{"map", "draw a record in space and time"},
     Tool{"movie", "make a film of a record"},
-    Tool{"watch", "watch a run in progress, in a window or as text"},
     Tool{"xdmf", "write a series of checkpoints for ParaView and VTK"},
     Tool{"finish", finish_command.summary, "Rescue and edit files"},
     Tool{"seal", seal_command.summary},
     Tool{"reproduce", "compute figures of the paper, their claims, and sweeps of your own",
          "Compute many runs"},
-    Tool{"golden", "check that a pipeline still writes files with the same content checksums"},
 };
 
 namespace fs = std::filesystem;
@@ -90,6 +89,13 @@ std::string describe() {
                {"tools", Json::array()}};
   for (const Tool& tool : kTools) {
     json["tools"].push_back({{"name", tool.name}, {"summary", tool.summary}});
+  }
+  for (const FileKind kind : {FileKind::checkpoint, FileKind::record}) {
+    Json& list = json["datasets"][std::string(kind_name(kind))];
+    for (const DatasetInfo& row : datasets_of(kind)) {
+      list.push_back(
+          {{"path", row.path}, {"type", row.type}, {"lengths", row.lengths}, {"unit", row.unit}});
+    }
   }
   return json_text(json) + "\n";
 }

@@ -27,8 +27,6 @@ rupture analyze show event.h5
 rupture analyze lineage event-record.h5 --commands
 rupture parameters junctions
 rupture reproduce list
-rupture golden regenerate golden.txt sh -c 'load -o load.h5 --until 1us'
 rupture map event-record.h5 -o map.png
 rupture movie event-record.h5 -o film.gif --event first-spanning --frames 20
-rupture watch event-record.h5.part --text
 rupture xdmf prepared.h5 event.h5 -o event.xdmf

@@ -9,6 +9,7 @@ OUTPUT/_rupture for zsh.
 import gzip
 import json
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,7 +19,7 @@ import jinja2
 # The files behind `input` or `holds` of a description; any file if it is not here.
 PATTERNS = {
     "checkpoint": "*.h5",
-    "record": "*.[hp]*[5t]",  # .h5 or .h5.part, not .h5.sum
+    "record": "*.[hp]*[5t]",  # .h5 or .h5.part
     "file": "*.h5",
     "options and parameters": "*.ini",
 }
@@ -69,11 +70,11 @@ def values_of(option, parameters):
 
 
 def arguments_of(leaf, parameters):
-    """Any file behind words, and of what describes neither options nor input."""
+    """Any file of what describes neither options nor input."""
     if leaf["input"] == "parameter":
         return explained(parameters)
     if leaf["input"] == "word":
-        return [*leaf["words"], *files("any")]
+        return leaf["words"]
     return files(leaf["input"]) if leaf["input"] or not leaf["options"] else []
 
 
@@ -98,7 +99,6 @@ def completions(tools, parameters):
                     found[f"{name} -{option['short']}"] = values_of(option, parameters)
     found |= {f"{row['name']}=": row["words"] for row in parameters}
     found["reproduce sweep"] = files("options and parameters")
-    found["golden check"] = found["golden regenerate"] = files("any")
     return found
 
 
@@ -129,7 +129,8 @@ def main(programs, output, version):
         "examples": EXAMPLES.read_text(encoding="utf-8").splitlines(),
         "version": version,
     }
-    (output / "man").mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(output / "man", ignore_errors=True)  # of an earlier build, with other tools
+    (output / "man").mkdir(parents=True)
     top = with_defaults(rupture | {"name": "", "commands": tools})
     for tool in [top, *tools, *leaves(tools)]:
         page = f"rupture-{tool['name']}".replace(" ", "-").removesuffix("-")

@@ -1,6 +1,7 @@
 #include "run/ends.hpp"
 
 #include "rupture/model/derived.hpp"
+#include "rupture/model/error.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -24,7 +25,8 @@ void add_early_end_options(po::options_description& options) {
   add("until-spanned", "stop as soon as an event has spanned the interface");
   add("until-rupture-at", number("X", "m"),
       "stop at the step at which the block nearest to X ruptures");
-  add("quiet-time", seconds(), "time without ruptures that separates events; default 5 t_R");
+  add("quiet-time", in_rebuild(seconds()),
+      "time without ruptures that separates events; default 5 t_R");
   add("arrived-below", number("F"),
       "with --until-quiet or --until-spanned: once an event has spanned the interface, wait until "
       "less than this fraction of the junctions at the leading edge is pinned; default: 0.3, at "

@@ -1,7 +1,8 @@
 // The options with which a run ends before its last step.
 #pragma once
 
-#include "run/files.hpp"
+#include "cli/command_line.hpp"
+#include "run/steps.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace rupture::tools {

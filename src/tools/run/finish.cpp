@@ -1,8 +1,8 @@
 // finish: the record of a run that was killed, or still runs, as an ordinary record.
 #include <fmt/core.h>
 
-#include "run/files.hpp"
 #include "run/output.hpp"
+#include "run/rebuild.hpp"
 
 namespace rupture::tools {
 namespace {

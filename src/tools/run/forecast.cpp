@@ -99,6 +99,17 @@ std::string disk_text(const Forecast& f) {
   return text;
 }
 
+/// What a longer time step buys, where one is stable.
+std::string step_text(const Parameters& p) {
+  const double limit = stable_time_step(p);
+  std::string text = fmt::format("dt       {:.3g} s; up to {:.3g} s are stable", p.dt, limit);
+  if (limit < 1.5 * p.dt) return text;
+  return text + fmt::format(
+                    ", with {:.2g} of the steps; then speeds and edges of fronts change by about "
+                    "1 %, and a load becomes another run (docs/performance.md)",
+                    p.dt / limit);
+}
+
 std::string text_of(const Forecast& f) {
   const auto about = [](bool at_most) { return at_most ? "at most about" : "about"; };
   return fmt::format(
@@ -106,11 +117,12 @@ std::string text_of(const Forecast& f) {
       "slider   {} blocks, {} junctions\n"
       "threads  {}\n"
       "disk     {} {}\n"
-      "time     {} {}: {} of processor time per step, measured now\n",
+      "time     {} {}: {} of processor time per step, measured now\n"
+      "{}\n",
       f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
       f.at_most() ? "; the run may end earlier" : "", grouped(f.blocks()), grouped(f.junctions()),
       f.plan.threads, about(f.at_most() || f.plan.in_events), disk_text(f), about(f.at_most()),
-      time_text(f.time()), time_text(f.time_per_step));
+      time_text(f.time()), time_text(f.time_per_step), step_text(f.parameters));
 }
 
 Json json_of(const Forecast& f) {

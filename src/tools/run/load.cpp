@@ -2,6 +2,7 @@
 #include "cli/profile.hpp"
 #include "run/ends.hpp"
 #include "run/plan.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 
 namespace rupture::tools {
@@ -22,7 +23,7 @@ int load(const Parsed& parsed) {
   Checkpoint start = {p,
                       options.is_dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",
-                                       shell_line(rebuild_command("load", Parameters{}, p)))}};
+                                       rebuild_command("load", Parameters{}, p).text())}};
   const int code = simulate(std::move(start), {steps_in(p, until), early}, options, {});
   if (!is_driven) {
     options.output.say("no --until T was given: the slider is loaded, but not driven\n");
@@ -40,7 +41,7 @@ constinit const Command load_command = {
     "point at speed V, and writes a checkpoint from which the run can be continued.\n"
     "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
     {[](po::options_description& options) {
-       options.add_options()("until", seconds()->default_value(0.0, "0"),
+       options.add_options()("until", in_rebuild(seconds()->default_value(0.0, "0")),
                              "stop at this time; 0: only find the equilibrium");
      },
      add_early_end_options, add_profile_option, add_run_options},

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "run/files.hpp"
 #include "run/output.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/model/derived.hpp"
 
@@ -13,12 +13,14 @@ namespace {
 
 void add_change_options(po::options_description& options) {
   auto add = options.add_options();
-  add("shape", one_of("uniform|bell")->default_value("uniform"), "shape of the new distribution");
-  add("sigma-bar", number("S"),
+  add("shape", in_rebuild(one_of("uniform|bell")->default_value("uniform")),
+      "shape of the new distribution");
+  add("sigma-bar", in_rebuild(number("S")),
       "its standard deviation over f_thres - f_slip; default: as wide as each block allows");
-  add("x-from", number("X", "m")->default_value(0.0, "0"), "change blocks from this x on");
-  add("x-to", number("X", "m"), "change blocks up to this x");
-  add("slipping", one_of("keep|pin")->default_value("keep"),
+  add("x-from", in_rebuild(number("X", "m")->default_value(0.0, "0")),
+      "change blocks from this x on");
+  add("x-to", in_rebuild(number("X", "m")), "change blocks up to this x");
+  add("slipping", in_rebuild(one_of("keep|pin")->default_value("keep")),
       "slipping junctions: keep them slipping, or pin them and include them");
 }
 
@@ -191,7 +193,7 @@ int modify_phi(const Parsed& parsed) {
     checkpoint.run = run_from(p, checkpoint.state.step, std::move(checkpoint.run->event));
   }
   checkpoint.provenance.push_back(
-      make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, shell_line(command)));
+      make_provenance("modify-phi", parsed.arguments, checkpoint.checksum, command.text()));
   return write_and_report(FileKind::checkpoint, checkpoint_content(checkpoint), quantities_of(phi),
                           text_of(phi), output);
 }

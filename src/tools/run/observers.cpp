@@ -73,6 +73,11 @@ std::string progress_text(const RunPlan& plan, const Simulation& now, double rat
   return fmt::format("{:3.0f} %   {}   {:>6} left", percent, text(""), time_text(left));
 }
 
+/// So that other words begin a line.
+void clear_progress_line() {
+  if (std::exchange(is_drawn(), false)) say_on(stderr, "\r{:{}}\r", "", columns());
+}
+
 }  // namespace
 
 std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& path) {
@@ -204,8 +209,8 @@ std::int64_t Progress::tenth_after(std::int64_t step) const {
   return no_step;
 }
 
-void clear_progress_line() {
-  if (std::exchange(is_drawn(), false)) say_on(stderr, "\r{:{}}\r", "", columns());
+Progress::~Progress() {
+  clear_progress_line();
 }
 
 }  // namespace rupture::tools

@@ -70,6 +70,8 @@ class Alarms : public Observer {
 class Progress : public Observer {
  public:
   explicit Progress(const RunPlan& plan);
+  Progress& operator=(Progress&&) = delete;
+  ~Progress() override;  ///< clears its line of a terminal
   std::int64_t next_step() const override { return next_; }
   void observe(const Simulation& simulation) override;
 
@@ -83,8 +85,5 @@ class Progress : public Observer {
   Clock::time_point printed_ = start_;
   std::int64_t next_;
 };
-
-/// Clears the line that Progress has drawn on a terminal, if it has, so that other words begin one.
-void clear_progress_line();
 
 }  // namespace rupture::tools

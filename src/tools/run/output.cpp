@@ -21,9 +21,7 @@ Quantities row_of(const WrittenFile& file) {
 void add_output_options(po::options_description& options, const std::string& holds) {
   const std::string help = holds + " to write";
   options.add_options()("output,o", output_file(holds)->required(), help.c_str())(
-      "force,f", "replace existing files")(
-      "sum", "beside each file, write FILE.sum with its content checksum, for workflows")(
-      "quiet,q", "print errors only")(
+      "force,f", "replace existing files")("quiet,q", "print errors only")(
       "json", "print a summary as one JSON object; text goes to standard error");
 }
 
@@ -39,7 +37,6 @@ OutputOptions output_options(const po::variables_map& values) {
   return {.output = file_to_write(values, "output"),
           .inputs = std::move(inputs),
           .if_exists = values.count("force") > 0 ? IfExists::replace : IfExists::refuse,
-          .sum = values.count("sum") > 0 ? SumFile::write : SumFile::omit,
           .is_quiet = values.count("quiet") > 0,
           .json = values.count("json") > 0};
 }
@@ -73,28 +70,18 @@ void check_distinct(const std::vector<std::filesystem::path>& files, const Outpu
   if (!input.empty()) inputs.insert(place(input));
   for (const fs::path& path : output.inputs) inputs.insert(place(path));
   for (const fs::path& path : files) {
-    for (const fs::path& file : {path, sum_path(path)}) {
-      const fs::path place_of_file = place(file);
-      if (inputs.contains(place_of_file)) {
-        throw UsageError("{} is the input, which is never changed: give another output",
-                         file.string());
-      }
-      if (taken.insert(place_of_file).second) continue;
-      throw UsageError("two outputs would have the name {}: give different names", file.string());
+    const fs::path place_of_file = place(path);
+    if (inputs.contains(place_of_file)) {
+      throw UsageError("{} is the input, which is never changed: give another output",
+                       path.string());
     }
-  }
-}
-
-void check_sums(const std::vector<std::filesystem::path>& files, const OutputOptions& output) {
-  if (output.sum == SumFile::omit || output.if_exists == IfExists::replace) return;
-  for (const auto& file : files) {
-    if (!may_replace_sum(file)) fail_existing(sum_path(file));
+    if (taken.insert(place_of_file).second) continue;
+    throw UsageError("two outputs would have the name {}: give different names", path.string());
   }
 }
 
 void check_output(const OutputOptions& output, const std::filesystem::path& input) {
   check_distinct({output.output}, output, input);
-  check_sums({output.output}, output);
   check_output(output.output, output.if_exists);
   try_output(output.output);
 }
@@ -116,9 +103,8 @@ std::optional<double> if_finite(double value) {
 
 int write_and_report(FileKind kind, const Content& content, const Quantities& rows,
                      const std::string& text, const OutputOptions& output) {
-  const WrittenFile file = {
-      output.output, std::string(kind_name(kind)),
-      write_content(output.output, kind, content, output.if_exists, output.sum)};
+  const WrittenFile file = {output.output, std::string(kind_name(kind)),
+                            write_content(output.output, kind, content, output.if_exists)};
   output.say("{}", text);
   announce(file, output);
   if (output.json) print_json(with_files(rows, {file}));

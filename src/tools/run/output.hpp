@@ -16,7 +16,6 @@ struct OutputOptions {
   std::filesystem::path output;
   std::vector<std::filesystem::path> inputs;  ///< that options name; no output may replace them
   IfExists if_exists = IfExists::refuse;
-  SumFile sum = SumFile::omit;
   bool is_quiet = false;  ///< no text but errors
   bool json = false;      ///< a summary on standard output
 
@@ -37,16 +36,13 @@ OutputOptions output_options(const po::variables_map& values);
 /// standard output.
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);
 
-/// Throws UsageError if two of the files, with their .sum, have the same name, or one is an input,
+/// Throws UsageError if two of the files have the same name, or one is an input,
 /// which no tool ever changes: this one, or one that options name.
 void check_distinct(const std::vector<std::filesystem::path>& files, const OutputOptions& output,
                     const std::filesystem::path& input);
 
-/// Throws Failure if a .sum is wanted where something else is that may not be replaced.
-void check_sums(const std::vector<std::filesystem::path>& files, const OutputOptions& output);
-
 /// Throws unless the output may be written: UsageError as check_distinct(), Failure as
-/// check_output() and check_sums().
+/// check_output().
 void check_output(const OutputOptions& output, const std::filesystem::path& input = {});
 
 struct WrittenFile {

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "run/rebuild.hpp"
+#include "rupture/checkpoint/checksum.hpp"
 #include "rupture/model/derived.hpp"
 
 namespace rupture::tools {
@@ -65,7 +67,6 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   const auto& record = plan.options.record;
   if (record) files.push_back(*record);
   check_distinct(files, plan.options.output, input);
-  check_sums(files, plan.options.output);
   for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
   if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));
 }
@@ -91,14 +92,14 @@ void add_run_options(po::options_description& options) {
   add("checkpoint-at", list_of_seconds(), "write checkpoints at these times, named OUT-tT.h5");
   add("checkpoint-every", seconds(), "write a checkpoint every T");
   add("record", output_file("record"), "record time series of the interface in FILE");
-  add("record-every", seconds()->default_value(1e-4, "1e-4"),
+  add("record-every", in_rebuild(seconds()->default_value(1e-4, "1e-4")),
       "sampling interval of the record; the times of ruptures are exact to one time step");
-  add("record-every-in-events", seconds(),
+  add("record-every-in-events", in_rebuild(seconds()),
       "during an event, also sample at this interval, fields too. An event goes on until no block "
       "has ruptured for --quiet-time");
-  add("crossings", text("F,..."),
+  add("crossings", in_rebuild(text("F,...")),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
-  add("fields", seconds(),
+  add("fields", in_rebuild(seconds()),
       "sampling interval of the displacement of all blocks, for pictures and movies; part of the "
       "record, 8 bytes per block and sample; default: none");
   add("threads", integer("N"),
@@ -165,22 +166,37 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   if (!plan.is_resumed()) plan.begin = plan.start;
   plan.begin.run->early = rule.early;
   if (plan.is_resumed()) {
-    const auto first = plan.checkpoints.begin();
     const auto later = plan.checkpoints.upper_bound(plan.begin.state.step);
-    for (auto at = first; at != later; ++at) plan.written_before.push_back(at->second);
-    plan.written_before.push_back(plan.resumed_from);
-    plan.checkpoints.erase(first, later);
+    plan.checkpoints.erase(plan.checkpoints.begin(), later);
   }
-  if (!plan.is_complete) {
-    check_files(plan, input);
-  } else if (plan.options.record) {
-    plan.written_before.push_back(*plan.options.record);
-  }
+  if (!plan.is_complete) check_files(plan, input);
   return plan;
 }
 
 IfExists if_record_exists(const RunOptions& options) {
   return options.resume ? IfExists::replace : options.output.if_exists;
+}
+
+std::string id_of_run(const Checkpoint& start) {
+  const ProvenanceEntry& tool = start.provenance.back();
+  const std::string text =
+      fmt::format("rupture run 2\n{} {}\n{}\n{}\n", tool.tool, tool.parent_checksum,
+                  content_checksum(parameters_content(start.parameters)), start.state.step);
+  return sha256(std::as_bytes(std::span(text)));
+}
+
+RecordedRun recorded_run(const RunPlan& plan) {
+  RecordedRun run = {plan.start.run->id, plan.record_every.time};
+  if (plan.fields_every) run.fields_every = plan.fields_every->time;
+  if (plan.in_events) run.every_in_events = plan.in_events->time;
+  if (plan.in_events) run.quiet_time = plan.rule.early.quiet_time;
+  return run;
+}
+
+std::filesystem::path path_at(const std::filesystem::path& output, double t) {
+  const auto name =
+      fmt::format("{}-t{:.9f}{}", output.stem().string(), t, output.extension().string());
+  return output.parent_path() / name;
 }
 
 }  // namespace rupture::tools

@@ -2,8 +2,9 @@
 // before it does anything: running it, --dry-run and --resume read this.
 #pragma once
 
-#include "run/files.hpp"
 #include "run/output.hpp"
+#include "run/steps.hpp"
+#include "rupture/checkpoint/record.hpp"
 #include "rupture/dynamics/run.hpp"
 
 namespace rupture::tools {
@@ -41,9 +42,8 @@ struct RunPlan {
   std::optional<Interval> fields_every;  ///< if that has fields
   std::optional<Interval> in_events;     ///< if it is denser then
   Checkpoints checkpoints;               ///< on the way, that are still to come
-  std::vector<std::filesystem::path> written_before;  ///< files of the run that are there already
-  bool rewrites_output = false;  ///< which is there already, as this run will write it
-  bool is_complete = false;      ///< and nothing is left to do
+  bool rewrites_output = false;          ///< which is there already, as this run will write it
+  bool is_complete = false;              ///< and nothing is left to do
   int threads = 1;
 
   bool is_resumed() const { return !resumed_from.empty(); }
@@ -83,5 +83,15 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
              const std::filesystem::path& input);
 
 Quantities run_quantities();
+
+/// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
+std::filesystem::path path_at(const std::filesystem::path& output, double t);
+
+/// Name of the run that begins with `start`: SHA-256 of which tool began it, from which content,
+/// with which parameters and at which step. Every file of the run has it, resumed or not.
+std::string id_of_run(const Checkpoint& start);
+
+/// By which its record is known.
+RecordedRun recorded_run(const RunPlan& plan);
 
 }  // namespace rupture::tools

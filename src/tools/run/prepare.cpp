@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "cli/profile.hpp"
-#include "run/files.hpp"
 #include "run/output.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/analysis/phi.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 
@@ -14,17 +14,17 @@ namespace {
 
 void add_prestress_options(po::options_description& options) {
   auto add = options.add_options();
-  add("tau-bar", number_along_x("T"),
+  add("tau-bar", in_rebuild(number_along_x("T")),
       "prestress (tau_0/p - mu_d)/(mu_s - mu_d) beyond the trigger region");
-  add("sigma-bar", number_along_x("S")->default_value("0"),
+  add("sigma-bar", in_rebuild(number_along_x("S")->default_value("0")),
       "standard deviation of the junction forces over f_thres - f_slip");
-  add("shape", one_of("uniform|bell")->default_value("uniform"),
+  add("shape", in_rebuild(one_of("uniform|bell")->default_value("uniform")),
       "shape of the distribution of junction forces");
-  add("x-trigger", number("X", "m")->default_value(Prestress{}.x_trigger, "0.0225"),
+  add("x-trigger", in_rebuild(number("X", "m")->default_value(Prestress{}.x_trigger, "0.0225")),
       "blocks below this x are the trigger region");
-  add("tau-bar-trigger", number("T")->default_value(Prestress{}.tau_bar_trigger, "0.3"),
+  add("tau-bar-trigger", in_rebuild(number("T")->default_value(Prestress{}.tau_bar_trigger, "0.3")),
       "prestress of the trigger region");
-  add("no-trigger", "leave the junctions of the trigger region pinned");
+  add("no-trigger", in_rebuild(), "leave the junctions of the trigger region pinned");
 }
 
 Prestress prestress_of(const Profile& profile, const Parameters& p,
@@ -120,10 +120,9 @@ int prepare(const Parsed& parsed) {
                                     add_prestress_options, values);
 
   check_output(output);
-  const Checkpoint prepared = {
-      p,
-      prepared_state(p, prestress),
-      {make_provenance("prepare", parsed.arguments, "", shell_line(command))}};
+  const Checkpoint prepared = {p,
+                               prepared_state(p, prestress),
+                               {make_provenance("prepare", parsed.arguments, "", command.text())}};
   const Prepared result = measured(p, prestress, prepared.state);
   return write_and_report(FileKind::checkpoint, checkpoint_content(prepared), quantities_of(result),
                           text_of(result, prestress), output);

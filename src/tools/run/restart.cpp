@@ -3,6 +3,7 @@
 #include "cli/profile.hpp"
 #include "run/ends.hpp"
 #include "run/plan.hpp"
+#include "run/rebuild.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -13,7 +14,7 @@ struct RunEnd {
 
 void add_restart_options(po::options_description& options) {
   auto add = options.add_options();
-  add("until", seconds(), "run until this time");
+  add("until", in_rebuild(seconds()), "run until this time");
   add("for", seconds(), "run for this long");
 }
 
@@ -54,7 +55,7 @@ int restart(const Parsed& parsed) {
   checkpoint.state = continued(std::move(checkpoint.state), checkpoint.parameters);
   checkpoint.provenance.push_back(
       make_provenance("restart", parsed.arguments, checkpoint.checksum,
-                      shell_line(rebuild_command("restart", before, checkpoint.parameters))));
+                      rebuild_command("restart", before, checkpoint.parameters).text()));
   const StopRule rule = {last_step(end, checkpoint),
                          early_end(parsed.values, checkpoint.parameters)};
   return simulate(std::move(checkpoint), rule, options, path);

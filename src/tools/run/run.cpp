@@ -4,6 +4,7 @@
 
 #include "cli/interruption.hpp"
 #include "run/observers.hpp"
+#include "run/rebuild.hpp"
 #include "rupture/analysis/front.hpp"
 
 namespace rupture::tools {
@@ -174,7 +175,6 @@ Ending Run::go() {
   const auto begin = steady_clock::now();
   try {
     const Ending ending = observed();
-    clear_progress_line();
     const auto& [in_json, in_text] = kEndings.at(static_cast<std::size_t>(ending));
     summary_.ending = in_json;
     summary_.time = simulation_.time();
@@ -187,7 +187,6 @@ Ending Run::go() {
     announce(summary_.files, output_);
     return ending;
   } catch (...) {
-    clear_progress_line();
     announce(summary_.files, output_);
     if (writer_) writer_->flush();
     throw;
@@ -210,7 +209,7 @@ void Run::finish() {
   if (!recorder_) return;
   const fs::path& record = *plan_.options.record;
   const auto checksum = writer_->finish(recorded_until(plan_, simulation_.state().step),
-                                        output_.sum, simulation_.run().first_step);
+                                        simulation_.run().first_step);
   summary_.files.push_back({record, "record", checksum});
   announce(summary_.files.back(), output_);
   announce_events(record, output_);
@@ -229,18 +228,9 @@ void Run::save(const fs::path& path) {
   const State& state = simulation_.state();
   const Checkpoint now = {
       p, state, run_until(begin_.provenance, p, state.clock, state.step), simulation_.run(), {}};
-  const auto checksum = write_checkpoint(path, now, if_checkpoint_exists(plan_, path), output_.sum);
+  const auto checksum = write_checkpoint(path, now, if_checkpoint_exists(plan_, path));
   summary_.files.push_back({path, "checkpoint", checksum});
   saved_ = path;
-}
-
-/// Writes the .sum of each of these files that lacks it, if they are asked for: the part of the run
-/// that wrote them was killed, or not asked for them. One that is there is that of its file.
-void restore_sums(const std::vector<fs::path>& paths, const OutputOptions& output) {
-  if (output.sum == SumFile::omit) return;
-  for (const fs::path& path : paths) {
-    if (is_there(path)) restore_sum(path, output.if_exists);
-  }
 }
 
 std::string resuming_command(const RunOptions& options) {
@@ -262,7 +252,7 @@ void say_where_it_begins(const RunPlan& plan) {
 
 /// Runs and writes what the plan says.
 void carry_out(const RunPlan& plan) {
-  note_interruptions();
+  catch_interruptions();
   try_output(plan.options.output.output);
   Run run(plan);
   const bool is_interrupted = run.go() == Ending::interrupted;
@@ -293,7 +283,6 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
     say("{}", forecast(plan));
     return kDone;
   }
-  restore_sums(plan.written_before, options.output);
   if (plan.is_complete) {
     const Checkpoint& end = plan.begin;
     const double t = time(end.parameters, end.state);

@@ -13,24 +13,10 @@
 namespace rupture::tools {
 namespace {
 
-void refuse_what_needs_no_seal(const std::string& path) {
-  FileKind kind{};
-  try {
-    kind = identify(path);
-    if (kind != FileKind::open_record) verify_file(path, Opening::in_child_first);
-  } catch (const Failure&) {
-    return;  // why, is said when it is read
-  }
-  if (kind == FileKind::open_record) {
-    throw Failure("{} is an unfinished record: rupture finish {} -o NEW.h5", path, path);
-  }
-  throw Failure("{} is sealed and intact: there is nothing to do", path);
-}
-
 using Differences = std::vector<Difference>;  // from the original, if one was given
 
 Differences differences_from(const std::string& path, const EditedFile& edited) {
-  const ContentFile original = verify_file(path, Opening::in_child_first);
+  const ContentFile original = verify_file(path);
   const std::string& sealed = edited.sealed_checksum;
   if (sealed == original.checksum) return diff(original.content, edited.content);
   throw Failure("{} is not the original of {}: its content checksum is {} (expected {})", path,
@@ -101,7 +87,6 @@ int seal(const Parsed& parsed) {
       values.count("original") > 0 ? values["original"].as<std::string>() : "";
   const OutputOptions output = output_options(values);
 
-  refuse_what_needs_no_seal(path);
   const EditedFile edited = read_edited(path);
   check_output(output, path);
   Differences differences;
@@ -111,8 +96,12 @@ int seal(const Parsed& parsed) {
     const auto digest = digest_of_script(values["script"].as<std::string>());
     entry.command_line += "  # SHA-256 of the script: " + digest;
   }
-  return write_and_report(edited.kind, checked_content(edited, entry),
-                          quantities_of(edited, differences), text_of(edited, differences), output);
+  const Content content = checked_content(edited, entry);
+  if (edited.is_sealed) {
+    throw Failure("{} is as rupture sealed it: there is nothing to do", path);
+  }
+  return write_and_report(edited.kind, content, quantities_of(edited, differences),
+                          text_of(edited, differences), output);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// Effective static friction: quadrature, the forces of single junctions, and the
-// reference law itself.
+// Effective static friction: quadrature, and the forces of single junctions.
 #include "rupture/analysis/strength.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +7,6 @@
 #include <cmath>
 
 #include "rupture/dynamics/equilibrium.hpp"
-#include "rupture/forces/interface_law.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture::testing {
@@ -144,48 +142,6 @@ TEST(Strength, of_single_springs_begins_at_their_friction) {
   const auto blocks = block_strengths(p, state);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     EXPECT_NEAR(*blocks[i].tau_bar_0 * 0.23 + 0.17, friction[i] / blocks[i].p, 1e-12);
-  }
-}
-
-/// mu-bar of one block under the reference law itself: its junctions carry quantiles of a shape
-/// about g = `mean`, and the block is moved forwards at t = 0, so that none is pinned again.
-double simulated_strength(PhiShape shape, double sigma_bar, double mean) {
-  Parameters p;
-  p.Nx = 1;
-  p.N_s = 10000;
-  double p_i = 33.7, k_ij = junction_stiffness(p, 0, p_i);
-  double w = p_i / static_cast<double>(p.N_s) / k_ij;  // f = mu f_N at a stretch of mu w
-  const double a = sigma_bar / unit_sigma(shape), range = p.mu_s[0] - p.mu_d[0];
-  const auto xi = unit_quantiles(shape, p.N_s);
-  Junctions junctions = State(p).junctions;
-  for (Eigen::Index j = 0; j < p.N_s; ++j) {
-    const double g = mean + a * xi[static_cast<std::size_t>(j)];
-    junctions.attachment(0, j) = -(p.mu_d[0] + range * g) * w;
-  }
-  const auto law = make_law(p, junctions);
-  const ContactView contact{&p_i, &k_ij, &w};
-  double tau_max = 0.0;
-  constexpr int steps = 4000;
-  for (int n = 0; n <= steps; ++n) {
-    const double u = 2.0 * w * n / steps;
-    double tau = 0.0;
-    law->update(&u, nullptr, contact, 0.0);
-    law->friction(&u, contact, &tau);
-    tau_max = std::max(tau_max, tau);
-  }
-  return (tau_max / p_i - p.mu_d[0]) / range;
-}
-
-TEST(Strength, is_what_the_reference_law_bears_whatever_the_mean_force) {
-  // 10,000 junctions and moves of 2/4000 of f_N/k_ij, 0.22 % of the range from f_slip to f_thres
-  for (const PhiShape shape : {PhiShape::uniform, PhiShape::bell}) {
-    for (const double sigma_bar : {0.1, 0.25, 0.5}) {
-      for (const double mean : {-0.5, -0.2}) {
-        EXPECT_NEAR(simulated_strength(shape, sigma_bar, mean),
-                    effective_strength(shape, sigma_bar), 0.0025)
-            << sigma_bar;
-      }
-    }
   }
 }
 

@@ -1,4 +1,4 @@
-// Files on disk: what stands in them and beside them. tests/tools/files.txt has refusals.
+// Files on disk: what stands in them. tests/tools/files.txt has refusals.
 #include "rupture/checkpoint/file.hpp"
 
 #include "fixtures.hpp"
@@ -23,13 +23,6 @@ TEST_F(File, whose_data_do_not_fill_their_shape_is_not_written) {
   };
   expect_contains(message_of<Failure>(write_it), "/state/a has 1 bytes, but its shape [3] needs 3");
   EXPECT_TRUE(names().empty());
-}
-
-TEST_F(File, gets_a_sum_in_the_form_of_today) {
-  const auto checksum = write_checkpoint(file("x.h5"), small_checkpoint(), IfExists::refuse);
-  spill(file("x.h5.sum"), checksum + "  x.h5\n");
-  restore_sum(file("x.h5"), IfExists::refuse);
-  EXPECT_EQ(slurp(file("x.h5.sum")), "content-sha256 " + checksum + "  x.h5\n");
 }
 
 // --- damage: every bit and every length of whole files, through the reader itself

@@ -49,7 +49,7 @@ class RecordFile : public InFolder {
 TEST_F(RecordFile, returns_what_was_appended) {
   auto out = writer("r.h5", 7);
   append(out, 0, 40);
-  const std::string checksum = out.finish({}, SumFile::write);
+  const std::string checksum = out.finish();
   const Record record = read_record(file("r.h5"));
   expect_samples(record, 40);
   EXPECT_EQ(record.parameters, small_parameters());
@@ -58,8 +58,7 @@ TEST_F(RecordFile, returns_what_was_appended) {
   EXPECT_EQ(record.ruptures[9], (Rupture{3600, 0.001 * 36, 1}));
   EXPECT_EQ(verify_file(file("r.h5")).checksum, checksum);
   EXPECT_EQ(identify(file("r.h5")), FileKind::record);
-  EXPECT_EQ(slurp(file("r.h5.sum")), "content-sha256 " + checksum + "  r.h5\n");
-  EXPECT_EQ(names(), (std::vector<std::string>{"r.h5", "r.h5.sum"}));
+  EXPECT_EQ(names(), std::vector<std::string>{"r.h5"});
 }
 
 TEST_F(RecordFile, has_the_same_bytes_however_often_it_was_flushed) {
@@ -103,10 +102,10 @@ TEST_F(RecordFile, whose_steps_do_not_ascend_is_refused) {
 TEST_F(RecordFile, that_does_not_begin_where_its_run_did_is_not_completed) {
   auto out = writer("r.h5");
   append(out, 1, 4);
-  EXPECT_EQ(message_of<Failure>([&] { out.finish({}, SumFile::omit, 0); }),
+  EXPECT_EQ(message_of<Failure>([&] { out.finish({}, 0); }),
             file("r.h5.part").string() + ": it does not begin at step 0, as its run did");
   EXPECT_EQ(names(), std::vector<std::string>{"r.h5.part"});
-  out.finish({}, SumFile::omit, 100);
+  out.finish({}, 100);
   EXPECT_EQ(read_record(file("r.h5")).step.front(), 100);
 }
 

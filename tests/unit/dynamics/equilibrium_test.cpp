@@ -41,12 +41,6 @@ TEST_F(Equilibrium, leaves_every_junction_pinned_below_its_strength) {
   EXPECT_EQ(state_.junctions.attachment.abs().maxCoeff(), 0.0) << "attached while undeformed";
 }
 
-TEST_F(Equilibrium, starts_driving_at_time_zero_without_force) {
-  const Simulation simulation(p_, state_);
-  EXPECT_EQ(simulation.time(), 0.0);
-  EXPECT_EQ(simulation.F_T(), 0.0);
-}
-
 TEST_F(Equilibrium, stays_at_rest_when_it_is_not_driven) {
   Parameters p = p_;
   p.V = 0.0;
@@ -54,23 +48,6 @@ TEST_F(Equilibrium, stays_at_rest_when_it_is_not_driven) {
   simulation.advance(1000);
   const double moved = (simulation.state().u_x.blocks() - state_.u_x.blocks()).abs().maxCoeff();
   EXPECT_LT(moved, 1e-12 * state_.u_x.blocks().abs().maxCoeff());
-}
-
-TEST(EquilibriumFailure, refuses_parameters_that_make_no_sense) {
-  Parameters p;
-  p.H = 0.08;
-  EXPECT_THROW(normal_load_equilibrium(p), UsageError);
-}
-
-TEST(NestedDissection, puts_the_line_that_separates_the_halves_last) {
-  const std::vector<Eigen::Index> places = nested_dissection(7, 3);
-  for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t i = 0; i < 7; ++i) {
-      const Eigen::Index place = places[j * 7 + i];
-      EXPECT_EQ(place < 9, i < 3) << i << ", " << j;
-      EXPECT_EQ(place >= 18, i == 3) << i << ", " << j;
-    }
-  }
 }
 
 void expect_same_in_both_orders(const Parameters& p, const LoadCase& load_case) {

@@ -93,6 +93,17 @@ TEST_F(Run, ends_at_rest_once_nothing_can_rupture) {
   }
 }
 
+TEST_F(Run, is_at_rest_only_if_the_drive_stands_still) {
+  for (const double V : {0.0, 1e-6}) {
+    Parameters p = p_;
+    p.V = V;
+    State state = normal_load_equilibrium(p);
+    state.step = 10'000 * kQuietCheck;
+    const auto end = ending_at(state, {}, {2 * state.step, {.spanned = true}});
+    EXPECT_EQ(end, V > 0 ? std::nullopt : std::optional(Ending::at_rest));
+  }
+}
+
 TEST_F(Run, asks_more_often_whether_it_is_interrupted_where_there_are_many_junctions) {
   Parameters p = p_;
   p.N_s = 100000;

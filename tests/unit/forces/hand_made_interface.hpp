@@ -50,9 +50,6 @@ class Interface {
     return tau;
   }
   std::int32_t pinned() const { return law_->pinned()[0]; }
-  double u() const { return u_; }
-  double k_ij() const { return k_ij_; }
-  double w() const { return w_; }
   Junctions& junctions() { return junctions_; }
   double attachment() const { return junctions_.attachment(0, 0); }
 

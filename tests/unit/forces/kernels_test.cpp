@@ -83,48 +83,6 @@ TEST(RowLengths, leave_the_padding_zero) {
   }
 }
 
-TEST(RowLengths, finish_a_step_with_all_forces_and_tell_the_damping_power) {
-  for (Eigen::Index Nx = kShortest; Nx <= kLongest; ++Nx) {
-    SCOPED_TRACE(Nx);
-    for (Shaken s : shaken(Nx, {2, 3, 5})) {
-      const Eigen::Index Nz = s.p.Nz;
-      Bulk bulk(s.p);
-      Field f_x(s.p.Nx, s.p.Nz), f_z(f_x), d_x(f_x), d_z(f_x);
-      bulk.elastic(s.state.u_x, s.state.u_z, f_x, f_z);
-      bulk.damping(s.state, d_x, d_z);
-      f_x.blocks() += d_x.blocks();
-      f_z.blocks() += d_z.blocks();
-      for (Eigen::Index i = 0; i < Nx; ++i) {
-        f_x(i, 0) -= s.tau[static_cast<std::size_t>(i)];
-        f_z(i, 0) += s.normal[static_cast<std::size_t>(i)];
-        f_z(i, Nz - 1) -= s.top[static_cast<std::size_t>(i)];
-      }
-      f_x(0, 1) += 55.0;
-      const double half_kick = s.p.dt / (2.0 * block_mass(s.p));
-      Field v_x = s.state.v_x, v_z = s.state.v_z;
-      v_x.blocks() += half_kick * f_x.blocks();
-      v_z.blocks() += half_kick * f_z.blocks();
-      const double expected =
-          (d_x.blocks() * v_x.blocks()).sum() + (d_z.blocks() * v_z.blocks()).sum();
-
-      bulk.keep_neighbouring_rows(0, s.state);
-      bulk.add_forces_and_half_kick(0, s.boundary(), Then::stop, s.state);
-      EXPECT_NEAR(bulk.damping_power(), expected, 1e-12 * std::abs(expected));
-      for (Eigen::Index i = 0; i < Nx; ++i) {
-        EXPECT_EQ(bulk.bottom_velocity()[i], s.state.v_x(i, 0));
-      }
-      const auto differs = [](const Field& a, const Field& b) {
-        return (a.blocks() - b.blocks()).abs().maxCoeff() / a.blocks().abs().maxCoeff();
-      };
-      // only the order of the sums may differ
-      EXPECT_LT(differs(f_x, s.state.f_x), 1e-14);
-      EXPECT_LT(differs(f_z, s.state.f_z), 1e-14);
-      EXPECT_LT(differs(v_x, s.state.v_x), 1e-14);
-      EXPECT_LT(differs(v_z, s.state.v_z), 1e-14);
-    }
-  }
-}
-
 /// Three steps with the rows in `bands` bands, which are worked on in turn.
 State three_steps(Shaken s, int bands, Then between) {
   Bulk bulk(s.p, bands);

@@ -1,14 +1,13 @@
 // Counter-based random numbers and the slipping times drawn from them.
-// Logarithm and normal quantile made of exact operations, against the C library.
+// (Logarithm and normal quantile: any other digit of them changes the golden checksums.)
 #include "rupture/model/random.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "support/sliders.hpp"
+#include "rupture/model/derived.hpp"
 
 namespace rupture::testing {
 
@@ -57,56 +56,6 @@ TEST(SlippingTime, has_mean_and_spread_of_its_distribution) {
     // of the exponential the variance of x^2 is 8 sd^4, of the sd about 2 sd^2
     EXPECT_NEAR(std::sqrt(squares - sum * sum), sd,
                 four_errors(folded ? sd : std::numbers::sqrt2 * sd));
-  }
-}
-
-// --- logarithm and normal quantile
-
-void expect_log(double x) {
-  // std::log itself may be off by 1e-16 of its value
-  EXPECT_NEAR(exact_log(x), std::log(x), std::max(1e-15 * std::abs(std::log(x)), 1e-16)) << x;
-}
-
-TEST(ExactLog, agrees_with_the_library_over_all_magnitudes) {
-  Noise noise(1.0);
-  for (int exponent = -1021; exponent <= 1023; ++exponent) {
-    for (int n = 0; n < 10; ++n) expect_log(std::ldexp(1.5 + 0.499 * noise(), exponent));
-  }
-  expect_log(std::numeric_limits<double>::min());
-  expect_log(std::numeric_limits<double>::max());
-}
-
-TEST(ExactLog, agrees_with_the_library_near_one_and_at_its_branches) {
-  EXPECT_EQ(exact_log(1.0), 0.0);
-  for (const double centre : {0.5, std::sqrt(0.5), 1.0, std::sqrt(2.0), 2.0}) {
-    for (double step = 1e-16; step < 0.1; step *= 3.0) {
-      expect_log(centre * (1.0 + step));
-      expect_log(centre * (1.0 - step));
-    }
-  }
-}
-
-/// Standard normal distribution function, accurate in the lower tail.
-double Phi(double z) {
-  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
-}
-
-TEST(NormalQuantile, inverts_the_distribution_function) {
-  for (int n = 1; n < 1000; ++n) {
-    const double p = n / 1000.0;
-    EXPECT_NEAR(Phi(normal_quantile(p)), p, 1e-14 * p) << p;
-  }
-  // dPhi/Phi = (z^2 + ...) dz/z: far out, rounding of z weighs z^2 times as much
-  for (double p = 1e-3; p > 1e-30; p *= 0.1) {
-    const double z = normal_quantile(p);
-    EXPECT_NEAR(Phi(z), p, 1e-15 * (1.0 + z * z) * p) << p;
-  }
-}
-
-TEST(NormalQuantile, is_antisymmetric_to_the_last_bit) {
-  for (int n = 1; n < 4096; ++n) {
-    const double p = n * 0x1p-13;  // 1 - p is exact
-    EXPECT_EQ(normal_quantile(1.0 - p), -normal_quantile(p));
   }
 }
 
