@@ -23,12 +23,13 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from rupture.commands.identity import Command, Made, Measurement, Refused
+from rupture.commands.folder import complain
 from rupture.commands.making import Making, Scope, Unknown, Untold
 from rupture.commands.pool import Pool
 from rupture.commands.processes import Local
 from rupture.commands.progress import Progress
 from rupture.commands.script import script_of
-from rupture.commands.store import Onlooker, Report, Store, complain
+from rupture.commands.store import Onlooker, Report, Store
 from rupture.commands.workers import SCHEDULER, Workers
 from rupture.replacing import ENDING
 

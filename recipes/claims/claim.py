@@ -3,8 +3,9 @@ results/figN/claims.json."""
 
 import json
 import re
-from dataclasses import asdict, dataclass, replace
+from dataclasses import MISSING, asdict, dataclass, fields, replace
 
+from rupture.commands.folder import fits, parsed, read_own
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
@@ -29,6 +30,11 @@ class Share:
     units: int
     low: float | None
     high: float | None
+
+    def __post_init__(self):
+        is_part = 0 <= self.holds <= self.units != 0
+        if not is_part or (self.low is None) != (self.high is None):
+            raise ValueError(f"not a share: {self}")
 
     def part(self):
         return self.holds / self.units
@@ -68,6 +74,8 @@ class Claim:
     def __post_init__(self):
         if self.verdict not in (*VERDICTS, None):
             raise ValueError(f"claim {self.id}: not a verdict: '{self.verdict}'")
+        if self.case not in (HOLDS, DOES_NOT_HOLD, None):
+            raise ValueError(f"claim {self.id}: not a case: '{self.case}'")
 
 
 @dataclass(frozen=True)
@@ -107,18 +115,53 @@ def write_claims(path, claims, numbers=(), builds=()):
     write_whole(path, text)
 
 
+def is_number(value):
+    return isinstance(value, (int, float)) and abs(value) < 1e300
+
+
+def is_value(value):
+    """Of what was measured."""
+    if isinstance(value, list):
+        return all(map(is_value, value))
+    return value is None or isinstance(value, str) or is_number(value)
+
+
+def is_number_or_none(value):
+    return value is None or is_number(value)
+
+
+def is_build(value):
+    """A text about a build, and how many commands it has done."""
+    return isinstance(value, list) and [*map(type, value)] == [str, int]
+
+
+def form_of(kind, **forms):
+    """Of a dataclass as JSON (rupture/commands/folder.py), with these for some of its fields."""
+    found = {}
+    for each in fields(kind):
+        form = is_number_or_none if each.type == float | None else each.type
+        is_needed = each.default is each.default_factory is MISSING
+        found[each.name + "?" * (not is_needed)] = forms.get(each.name, form)
+    return found
+
+
+CLAIM = form_of(Claim, measured={"": is_value}, shares=[form_of(Share)])
+TABLE = {"schema": int, "claims": [CLAIM], "numbers": [form_of(Number)], "builds": [is_build]}
+
+
 def read_results(path):
     """The claims, the numbers, and the builds."""
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = parsed(read_own(path), {"schema": int, "": object})
         if content["schema"] != SCHEMA:
             raise ValueError(f"its schema is {content['schema']}, not {SCHEMA}")
+        if not fits(content, TABLE):
+            raise ValueError("values are missing, or of another type")
         claims = [Claim(**row) for row in content["claims"]]
         claims = [replace(c, shares=[Share(**share) for share in c.shares]) for c in claims]
         return claims, [Number(**row) for row in content["numbers"]], content["builds"]
-    except (OSError, KeyError, ValueError, TypeError) as error:
-        sentence = f"{path} is not a table of claims ({error}): delete it, and compute it again."
-        raise Failure(sentence) from error
+    except (OSError, ValueError) as error:
+        raise Failure(f"{path} is not a table of claims ({error})") from error
 
 
 # --- for readers ---------------------------------------------------------------------------

@@ -5,9 +5,11 @@ import json
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from rupture.commands.folder import parsed, read_own
+from rupture.errors import Failure
 from rupture.replacing import write_whole
 
-from claims.claim import number, plain, split_unit
+from claims.claim import form_of, is_value, number, plain, split_unit
 from claims.conditions import met, wanted
 
 OWN = "own.json"  # beside a recipe's claims.json
@@ -55,9 +57,18 @@ def write_own(folder, results):
     write_whole(Path(folder) / OWN, rows + "\n")
 
 
-def read_own(folder):
+FORM = form_of(OwnResult, measured={"": is_value}, expected={"": object})
+
+
+def results_in(folder):
     """The own results of a recipe; an empty list if it has none or has not run."""
     path = Path(folder) / OWN
-    if not path.exists():
+    try:
+        found = [OwnResult(**row) for row in parsed(read_own(path), [FORM])]
+        for result in found:
+            result.shown()  # what was expected can be read
+        return found
+    except FileNotFoundError:
         return []
-    return [OwnResult(**row) for row in json.loads(path.read_text(encoding="utf-8"))]
+    except (OSError, ValueError, ArithmeticError) as error:
+        raise Failure(f"{path} has no results ({error})") from error

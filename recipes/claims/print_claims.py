@@ -4,7 +4,7 @@ import textwrap
 from collections import Counter
 
 from claims.claim import CLAIMS, HOLDS, VERDICTS, Share, read_results
-from claims.own_result import read_own, text_of
+from claims.own_result import results_in, text_of
 from claims.released import released
 from claims.table import samples_from
 
@@ -58,7 +58,7 @@ def print_claims(name, results, root):
     print(f"\n{name}: {summary(claims) or 'no claims of its own'}\n")
     if claims:
         print_table(claims, released(root, builds))
-    for result in read_own(folder):
+    for result in results_in(folder):
         print(text_of(result), end="\n\n")
     print(f"Pictures and data: {folder}/")
     samples = samples_from(name)

@@ -6,7 +6,6 @@ results/, so that the folder may be copied alone. Equal results give equal texts
 """
 
 import configparser
-import hashlib
 import json
 import sys
 import time
@@ -17,11 +16,14 @@ from urllib.parse import quote
 
 import yaml
 
+from claims.claim import CLAIMS
 from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.written import take
+from report.machine import RUNS
+from report.written import intact, is_intact, leave_out, seal, take, written
+from rupture.commands.folder import read_own, sha256_of
 from rupture.commands.store import place_of
 from rupture.errors import Failure
 from rupture.replacing import write_whole
@@ -36,10 +38,10 @@ FORMATS.types_map[True][".jsonl"] = "application/jsonl"
 # What files are that hold times, and so have no checksum here.
 WITH_TIMES = {
     "index.html": "All figures and claims on one page",
-    "runs.jsonl": "Each call of ./reproduce.sh: recipes, cores, start and time",
+    RUNS: "Each call of ./reproduce.sh: recipes, cores, start and time",
     JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
-OF_THE_RUN = ("index.html", "runs.jsonl", "numbers.csv", "claims.pdf", "claims.png")
+OF_THE_RUN = ("index.html", RUNS, "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):
@@ -121,9 +123,8 @@ def file_entity(results, path, **properties):
 def whole_file(results, path):
     if path.name in WITH_TIMES:
         return file_entity(results, path, description=WITH_TIMES[path.name])
-    content = path.read_bytes()
-    digest = hashlib.sha256(content).hexdigest()
-    return file_entity(results, path, contentSize=str(len(content)), sha256=digest)
+    size = str(path.stat().st_size)
+    return file_entity(results, path, contentSize=size, sha256=sha256_of(path))
 
 
 def described(root, name):
@@ -134,8 +135,12 @@ def described(root, name):
     stem = name.removeprefix("sweeps/")
     ini = configparser.RawConfigParser(delimiters="=", inline_comment_prefixes="#;")
     ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
-    ini.read(root / "results" / name / f"{stem}.ini", encoding="utf-8")
-    lines = [f"{key} = {line}" for key, line in ini["commands"].items()]
+    path = root / "results" / name / f"{stem}.ini"
+    try:
+        ini.read_string(read_own(path).decode())
+        lines = [f"{key} = {line}" for key, line in ini["commands"].items()]
+    except (OSError, ValueError, KeyError, configparser.Error) as error:
+        raise Failure(f"{path} is no sweep ({error})") from error
     title = ini.get("sweep", "title", fallback=stem)
     return title, "\n".join(lines), f"./reproduce.sh sweep {stem}.ini"
 
@@ -146,7 +151,7 @@ def checkpoints_of(results, jobs):
     return [
         file_entity(results, path, identifier=f"content-sha256:{checksum}")
         for path, checksum in places
-        if path.exists()
+        if path.is_file() and not path.is_symlink()
     ]
 
 
@@ -154,14 +159,16 @@ def run_of(root, name, source, built):
     """A recipe or sweep that has results: what they were made from, and its folder. `built` are
     programs by the texts of builds_of()."""
     results = root / "results"
+    paths = intact(results, name)
     title, commands, typed = described(root, name)
-    paths = sorted(path for path in (results / name).glob("[!.]*") if path.is_file())
-    files = [whole_file(results, path) for path in paths if path.suffix != ".part"]
+    files = [whole_file(results, path) for path in paths]
     jobs = read_jobs(results / name)
     programs = [
         built.setdefault(text, program(len(built) + 1, text)) for text, _ in sorted(builds_of(jobs))
     ]
-    times = [(job["started"], job["started"] + job["seconds"]) for job in jobs if "started" in job]
+    times = [
+        (job["started"], job["started"] + job.get("seconds", 0)) for job in jobs if "started" in job
+    ]
     return entity(
         f"#run-{quote(name)}",
         "CreateAction",
@@ -179,14 +186,18 @@ def crate(root, now):
     """The JSON-LD: a flat list of entities."""
     results, source = root / "results", software()
     sweeps = sorted(f"sweeps/{path.parent.name}" for path in results.glob("sweeps/*/*.ini"))
-    recipes = [name for name in recipe_names(root) if (results / name).is_dir()]
+    ours = written(results)
+    recipes = [name for name in recipe_names(root) if f"{name}/{CLAIMS}" in ours]
     built: dict[str, dict] = {}
-    runs = [run_of(root, name, source, built) for name in (*recipes, *sweeps)]
+    runs = []
+    for name in (*recipes, *sweeps):
+        with leave_out(name):
+            runs.append(run_of(root, name, source, built))
     folders = [run["result"][0] for run in runs]
     if checkpoints := {each["@id"]: each for run in runs for each in run["object"]}:
         title = "Checkpoints and records, with the checksums of their content"
         folders.append(entity("store/", "Dataset", name=title, hasPart=[*checkpoints.values()]))
-    paths = (results / name for name in OF_THE_RUN)
+    paths = [results / name for name in OF_THE_RUN if is_intact(results / name, ours.get(name))]
     top = entity(
         "./",
         "Dataset",
@@ -196,7 +207,7 @@ def crate(root, now):
         datePublished=moment(now),
         license=source["license"],
         citation=[article(read(paper)[0]) for paper in dict.fromkeys(map(paper_of, recipes))],
-        hasPart=folders + [whole_file(results, path) for path in paths if path.exists()],
+        hasPart=folders + [whole_file(results, path) for path in paths],
         mentions=runs,
     )
     graph: dict[str, dict] = {}
@@ -206,15 +217,15 @@ def crate(root, now):
 
 
 def write_crate(root):
+    results = root / "results"
+    take(results, results / CRATE)
     text = json.dumps(crate(root, time.time()), indent=1, ensure_ascii=False)
-    write_whole(root / "results" / CRATE, text + "\n")
+    write_whole(results / CRATE, text + "\n")
+    seal(results, results / CRATE)
 
 
 if __name__ == "__main__":
-    folder = Path(*sys.argv[1:]).resolve()
-    results = (folder / "results").resolve()
     try:
-        take(results, results / CRATE)
+        write_crate(Path(*sys.argv[1:]).resolve())
     except Failure as problem:
         sys.exit(f"crate: {problem}")
-    write_crate(folder)

@@ -92,7 +92,8 @@ def draw_glance(claims, stem):
     left.tick_params(axis="y", length=0)
     right.spines[:].set_visible(False)
     right.tick_params(length=0, labeltop=True, labelbottom=False)
-    names = [re.sub(r"\b([a-z])_(\w)\b", r"$\1_\2$", name) for name in places]  # c_s
+    plain = (name.replace("$", r"\$") for name in places)
+    names = [re.sub(r"\b([a-z])_(\w)\b", r"$\1_\2$", name) for name in plain]  # c_s
     right.set_xticks([*places.values()], names, rotation=90)
     draw_legend(left)
     save(fig, stem)

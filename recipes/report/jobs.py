@@ -2,14 +2,27 @@
 
 import json
 import os
+import re
 from collections import Counter
 
 from claims.recipes import RECIPES
-from rupture.commands.identity import Made
+from report.machine import is_moment
+from rupture.commands.folder import fits, parsed, read_own
+from rupture.commands.identity import PLAIN, Made
 from rupture.commands.script import with_sources
+from rupture.errors import Failure
 from rupture.replacing import write_whole
 
 JOBS = "jobs.jsonl"
+
+
+def are_checksums(value):
+    """Of files, by plain names."""
+    return fits(value, {"": str}) and all(map(PLAIN.fullmatch, value))
+
+
+JOB = {"id": re.compile("[0-9a-f]+"), "command": str, "inputs?": {"": str}, "build?": str}
+JOB |= {"started?": is_moment, "seconds?": is_moment, "checksums?": are_checksums}
 STORED = ("build", "started", "seconds", "checksums")  # what the store knows of a command
 
 
@@ -36,16 +49,20 @@ def write_jobs(folder, jobs):
 
 def read_jobs(folder):
     path = folder / JOBS
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else ()
-    return [json.loads(line) for line in lines]
+    try:
+        return [parsed(line, JOB) for line in read_own(path).decode().splitlines()]
+    except FileNotFoundError:
+        return []
+    except (OSError, ValueError) as error:
+        raise Failure(f"{path} is not a list of commands ({error})") from error
 
 
 def step_of(job):
     """analyze front, restart; a function in Python."""
-    program, *words = job["command"].removeprefix("rupture ").split()
-    if program == "#":  # in Python: MODULE.FUNCTION
-        return words[2]
-    return f"{program} {words[0]}" if program == "analyze" else program
+    words = job["command"].removeprefix("rupture ").split()
+    if words[:1] == ["#"]:  # in Python: MODULE.FUNCTION
+        return "".join(words[3:4])
+    return " ".join(words[: 2 if words[:1] == ["analyze"] else 1])
 
 
 def steps(jobs):

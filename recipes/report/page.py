@@ -12,9 +12,10 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.caption import as_html, filled, seen
 from claims.claim import CLAIMS, STANDINGS, number, read_results
-from claims.table import read, table
-from claims.own_result import read_own
+from claims.table import read, rows_of, table
+from claims.own_result import results_in
 from claims.released import released, version_of
+from rupture.commands.folder import open_own
 from rupture.replacing import write_whole
 from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
@@ -23,11 +24,12 @@ from report import jobs as of_jobs
 from report import machine
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
-from report.written import take
+from report.written import intact, leave_out, seal, take, written
 from report.symbols import typeset
 
 HERE = Path(__file__).resolve().parent
-WRITTEN = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
+GLANCE = ("claims.png", "claims.pdf")
+WRITTEN = ("index.html", "numbers.csv", *GLANCE)
 MANY = 12  # commands of a step, beyond which only their number is of interest
 MANY_SUMS = 100  # checksums
 COMMANDS = "commands.sh"  # all of a recipe, by hand
@@ -37,57 +39,69 @@ MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 def picture(path, alt):
     """The files of a picture, its size in pixels, and what is seen, in words. Width and height
     stand in a PNG after its signature and the name of the first chunk."""
-    with open(path, "rb") as file:
+    with open_own(path) as file:
         head = file.read(24)
     if len(head) < 24 or head[12:16] != b"IHDR":
-        raise Failure(f"{path} is not a PNG: delete it, and draw it again.")
+        raise Failure(f"{path} is not a PNG")
     size = dict(zip(("width", "height"), struct.unpack(">II", head[16:24])))
     pdf = path.with_suffix(".pdf")
     return size | {"name": path.name, "pdf": pdf.name if pdf.exists() else None, "alt": alt}
 
 
-def files_of(folder, pattern):
-    """The one with the name of the recipe comes first. Killed programs leave hidden files."""
-    found = (path for path in folder.glob(pattern) if not path.name.startswith("."))
-    return sorted(found, key=lambda path: (path.stem != folder.name, natural(path.name)))
+def first_own(paths):
+    """The one with the name of the recipe comes first."""
+    return sorted(paths, key=lambda path: (path.stem != path.parent.name, natural(path.name)))
 
 
 class Recipe:
-    """A recipe with results, for its section; `shown` are all recipes that have a section."""
+    """A recipe with results, for its section; `shown` are all recipes that have a section. Raises
+    Failure if its results are not as they were written."""
 
     def __init__(self, root, name, shown):
-        folder = root / "results" / name
+        results = root / "results"
+        folder, paths = results / name, intact(results, name)
         readme = read_readme(root / "recipes" / name / "README.md")
         self.name = folder.name  # beside the page
         self.label = label(name)  # none if it belongs to no figure
         self.title, self.commands = readme.title, readme.commands
         self.claims, self.numbers, _ = read_results(folder / CLAIMS)
-        self.own = read_own(folder)
-        there = {path.name for path in folder.iterdir()}
+        check_listed(folder / CLAIMS, self.claims, rows_of(name))
+        self.own = results_in(folder)
+        self.files = {path.name for path in paths}
         caption = filled(readme.caption, self.claims + self.own)
         self.caption = as_html(caption, shown)
         self.pictures = [
             picture(path, seen(path.name, readme.title, caption))
-            for path in files_of(folder, "*.png")
+            for path in first_own(paths)
+            if path.suffix == ".png"
         ]
-        self.tables = [path.name for path in files_of(folder, "*.csv")]
-        self.accounts = [name for name in (COMMANDS, of_jobs.JOBS) if name in there]
+        self.tables = [path.name for path in first_own(paths) if path.suffix == ".csv"]
+        self.accounts = [name for name in (COMMANDS, of_jobs.JOBS) if name in self.files]
         self.jobs = of_jobs.read_jobs(folder)
         self.sums = of_jobs.files_of(self.jobs)
 
 
-def rows_of(recipes, table):
-    """[(recipe, claim), ...] in the order of the table."""
-    found = {}
-    for recipe in recipes:
-        for claim in recipe.claims:
-            path = f"results/{recipe.name}/claims.json"
-            if claim.id not in table:
-                raise Failure(f"{path} has a claim '{claim.id}' that claims.toml does not list.")
-            if claim.id in found:
-                raise Failure(f"Claim '{claim.id}' is in {path} although it was found before.")
-            found[claim.id] = recipe, claim
-    return [found[claim_id] for claim_id in table if claim_id in found]
+def check_listed(path, claims, rows):
+    """Raises Failure for claims that claims.toml does not list there, or that are there twice."""
+    listed = [row["id"] for row in rows]
+    for claim in claims:
+        if claim.id not in listed:
+            raise Failure(f"{path} has a claim '{claim.id}' more than claims.toml lists")
+        listed.remove(claim.id)
+
+
+def with_results(root):
+    ours = written(root / "results")
+    return [name for name in recipe_names(root) if f"{name}/{CLAIMS}" in ours]
+
+
+def shown_of(root, names):
+    """Those of which all results are as they were written."""
+    found = []
+    for name in names:
+        with leave_out(name):
+            found.append(Recipe(root, name, [Path(one).name for one in names]))
+    return found
 
 
 def duration(seconds):
@@ -103,7 +117,7 @@ def glance_picture(results, claims):
     if not found:
         return None
     draw_glance(found, results / "claims")
-    return picture(results / "claims.png", SEEN)
+    return picture(results / GLANCE[0], SEEN)
 
 
 def in_words(claims):
@@ -120,11 +134,11 @@ def in_words(claims):
 
 def contents(root, paper):
     results = root / "results" / paper
-    names = [name for name in recipe_names(root) if (root / "results" / name / CLAIMS).exists()]
-    names = [name for name in names if paper_of(name) == paper]
-    shown = [Path(name).name for name in names]
-    recipes = [Recipe(root, name, shown) for name in names]
-    rows = rows_of(recipes, table(paper))
+    names = [name for name in with_results(root) if paper_of(name) == paper]
+    recipes = shown_of(root, names)
+    shown = [recipe.name for recipe in recipes]
+    found = {claim.id: (recipe, claim) for recipe in recipes for claim in recipe.claims}
+    rows = [found[claim_id] for claim_id in table(paper) if claim_id in found]
     claims = [claim for _, claim in rows]
     jobs = [*{job["id"]: job for recipe in recipes for job in recipe.jobs}.values()]
     builds = of_jobs.builds_of(jobs)
@@ -143,7 +157,8 @@ def contents(root, paper):
         ],
         "numbers": [number for recipe in recipes for number in recipe.numbers],
         "released": released(root, builds),
-        "movie": (results / MOVIE).exists() and MOVIE,
+        "movie": any(MOVIE == f"{one.name}/{file}" for one in recipes for file in one.files)
+        and MOVIE,
         "glance": glance_picture(results, claims),
         "verdicts": as_html(verdicts, shown),
         "jobs": jobs,
@@ -182,6 +197,9 @@ def write_page(root, results, paper):
     content = contents(root, paper)
     write_whole(path, render(content))
     write_numbers(path.with_name("numbers.csv"), content["numbers"])
+    for name in () if content["glance"] else GLANCE:
+        path.with_name(name).unlink(missing_ok=True)  # of other results
+    seal(results, *map(path.with_name, WRITTEN))
     return content
 
 
@@ -190,8 +208,7 @@ def main(folder="."):
     results = (root / "results").resolve()
     try:
         take(results, results / CRATE)
-        ran = (name for name in recipe_names(root) if (results / name / CLAIMS).exists())
-        papers = sorted({"", *map(paper_of, ran)})
+        papers = sorted({"", *map(paper_of, with_results(root))})
         content, *_ = [write_page(root, results, paper) for paper in papers]
         write_crate(root)
         if len(content["rows"]) == len(table()):

@@ -5,12 +5,13 @@ import sys
 from collections.abc import Callable
 from functools import partial
 
+from report.written import hold
 from rupture.errors import Failure
 from rupture.tools.command_line import exit_code
 from reproduce import checks, compute
 from reproduce.clean import clean
 from reproduce.command_line import listing, make_parser, read
-from reproduce.project import PROGRAMS, complain, enter_root
+from reproduce.project import PROGRAMS, RESULTS, complain, enter_root
 from reproduce.processes import Processes, ensure_packages
 
 
@@ -24,7 +25,8 @@ def sweep(request, processes):
     return run_sweep(request, processes)
 
 
-def report(_, processes):
+def report(request, processes):
+    request.turn = hold(RESULTS)
     ensure_packages(processes, "run")
     return compute.write_report(processes)
 

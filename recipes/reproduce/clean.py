@@ -3,34 +3,53 @@
 import os
 import shutil
 from contextlib import suppress
+from pathlib import Path
 
 from reproduce.project import READ, ROOT, WORK, say
 from reproduce.unneeded import clean_unneeded
-from report.written import LIST, written
-from rupture.commands.store import is_store
+from report.written import FORMER, MARKER, is_below, written
+from rupture.commands import store
+from rupture.commands.folder import read_own
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"
 STORE = RESULTS / "store"
 OWN = HOME / ROOT.relative_to(WORK) if WORK else ROOT  # has build/
 BUILD = OWN / "build"
-FORMER = OWN / ".snakemake"  # of version 0.4, whose list of files is the same
 NAMED = 20  # of the files that are left
 
 
 def own_files():
-    """The listed files in results/ that are not behind links. Anybody may have written the list."""
-    listed = [RESULTS / name for name in (*written(RESULTS), LIST)]
-    return [one for one in listed if RESULTS in one.parents and one.resolve() == one]
+    """The listed files in results/ that are not behind links, and then the list. Anybody may have
+    written it."""
+    if MARKER.is_in(RESULTS):
+        names = [*written(RESULTS), MARKER.name]
+    else:
+        former = read_or(RESULTS / FORMER).splitlines()
+        names = [*filter(is_below, former), *([FORMER] if former else [])]
+    listed = [RESULTS / name for name in names]
+    return [*filter(is_here, listed)]
+
+
+def is_here(path):
+    """Whether it is not behind a link."""
+    return os.path.realpath(path) == str(path)
+
+
+def read_or(path):
+    """The text of a file; nothing of a link, a pipe, or if there is none."""
+    with suppress(OSError):
+        return read_own(path).decode(errors="surrogateescape")
+    return ""
 
 
 def own_folders():
     """The folders of runs, and of builds of rupture; not behind links either."""
     name = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"  # wherever the sources were at that time
     caches = [*BUILD.glob("CMakeCache.txt"), *BUILD.glob("*/CMakeCache.txt")]
-    builds = [one.parent for one in caches if name in one.read_text(errors="replace")]
-    found = [FORMER, BUILD / "log", BUILD / "cache", *builds]
-    return [one for one in found if one.resolve() == one and one.is_dir()]
+    builds = [one.parent for one in caches if name in read_or(one)]
+    found = [BUILD / "log", BUILD / "cache", *builds]
+    return [one for one in found if is_here(one) and one.is_dir()]
 
 
 def own_links():
@@ -59,9 +78,14 @@ def say_left(left):
 
 def delete_store():
     """What commands have found; not behind a link. Returns whether there was any."""
-    is_ours = STORE.resolve() == STORE and is_store(STORE)
+    is_ours = is_here(STORE) and store.MARKER.is_in(STORE)
     if is_ours:
+        store.MARKER.check(STORE)
+        lock = store.MARKER.lock(STORE)  # it goes last
+        for folder in filter(Path.is_dir, STORE.iterdir()):
+            shutil.rmtree(folder)
         shutil.rmtree(STORE)
+        lock.close()
     return is_ours
 
 
@@ -73,6 +97,7 @@ def clean(request, _):
 
 
 def clean_all():
+    lock = MARKER.lock(RESULTS) if is_here(RESULTS) and MARKER.is_in(RESULTS) else None
     listed = own_files()
     files = [one for one in listed if one.is_file()]
     folders = own_folders()
@@ -84,14 +109,16 @@ def clean_all():
         shutil.rmtree(folder, ignore_errors=not folder.exists())  # within another
     links = own_links()
     for file in files + links:
-        file.unlink()
+        file.unlink(missing_ok=True)
     parents = {parent for one in [*listed, *folders, *links, STORE] for parent in one.parents}
     for folder in sorted(parents, reverse=True):  # what is in a folder comes first
         with suppress(OSError):
             if HOME in folder.parents:
                 folder.rmdir()
-    places = (RESULTS, OWN) if WORK else (RESULTS, FORMER, BUILD)
+    places = (RESULTS, OWN) if WORK else (RESULTS, BUILD)
     left = [path for place in places for path in left_in(place)]
     say(f"Deleted {', '.join(deleted)}." if deleted else "Nothing was deleted.")
     if left:
         say_left(left)
+    if lock:
+        lock.close()

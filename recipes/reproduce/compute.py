@@ -11,26 +11,24 @@ from pathlib import Path
 from claims.print_claims import print_claims
 from claims.recipes import recipe_names
 from claims.table import samples_from
-from report.written import LIST, append_to, note, refuse_others
-from reproduce.project import BESIDE_ALL, LOGS, ROOT, SHARE, complain, refuse_links
+from report.machine import RUNS, runs_of
+from report.written import check, hold, is_intact, refuse_others, seal, take, written
+from reproduce.project import BESIDE_ALL, LOGS, RESULTS, ROOT, SHARE, STORE, complain
 from reproduce.project import say, use_own_environment
 from reproduce.processes import ensure_packages, set_up
 from reproduce.stamps import is_current as is_made
 from rupture import once
 from rupture.errors import Failure, is_of_machine
+from rupture.replacing import write_whole
 from rupture.tools.command_line import plural
-
-RESULTS = Path("results")
-STORE = RESULTS / "store"  # may be a link
 
 
 def prepare(request, processes):
     """Prepares what the commands need."""
-    refuse_links(RESULTS / name for name in (LIST, "jobs.jsonl", "runs.jsonl"))
-    for at, folders, _ in os.walk(RESULTS):
-        if Path(at) == RESULTS and STORE.name in folders:
-            folders.remove(STORE.name)  # it looks after itself
-        refuse_links(Path(at, folder) for folder in folders)
+    if not request.dry_run:
+        request.turn = hold(RESULTS)
+    elif RESULTS.is_dir():
+        check(RESULTS)
     page = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
     ours = ("ro-crate-metadata.json", *(page if request.command == "all" else ()))
     refuse_others(RESULTS, *(RESULTS / name for name in ours))  # before hours of computing
@@ -100,7 +98,6 @@ def reproduce(request, processes):
     prepare(request, processes)
     named, started = named_in(request), time.time()
     names = " ".join(named)
-    note(RESULTS, RESULTS / "runs.jsonl")
     making = once.use(STORE, request.given, dry_run=False)
     place = f"with {plural(making.pool.cores, 'core')}{making.executor.where}"
     say(f"Computing {names} {place} ...")
@@ -133,8 +130,10 @@ def note_run(recipes, place, started):
     """Notes for the report which recipes ran, with how many cores, when, and for how long."""
     run = {"recipes": " ".join(recipes), "where": place, "started": int(started)}
     run["seconds"] = int(time.time() - started)
-    with append_to(RESULTS / "runs.jsonl") as file:
-        print(json.dumps(run), file=file)
+    lines = [json.dumps(each) for each in (*runs_of(RESULTS), run)]
+    take(RESULTS, RESULTS / RUNS)
+    write_whole(RESULTS / RUNS, "\n".join(lines) + "\n")
+    seal(RESULTS, RESULTS / RUNS)
 
 
 def is_current(path):
@@ -148,7 +147,9 @@ def is_current(path):
         *(one for at in of_recipes for one in at.glob("*.json*")),
     ]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
-    return path.exists() and path.stat().st_mtime > max(one.stat().st_mtime for one in sources)
+    newest = max(one.stat().st_mtime for one in sources)
+    sha256 = written(RESULTS).get(str(path.relative_to(RESULTS)))
+    return is_intact(path, sha256) and path.stat().st_mtime > newest
 
 
 def write_crate(processes):

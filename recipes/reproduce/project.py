@@ -4,6 +4,7 @@ import errno
 import os
 from pathlib import Path
 
+from rupture.commands.folder import HOLDS_LINKS
 from rupture.errors import Failure
 from rupture.tools import command_line
 
@@ -11,6 +12,8 @@ SHARE = Path(__file__).resolve().parents[2]  # recipes and what they read
 # `rupture reproduce` names the folder for results. Elsewhere they are beside the recipes.
 WORK = Path(os.environ["RUPTURE_WORK"]) if "RUPTURE_WORK" in os.environ else None
 ROOT = WORK / ".rupture" if WORK else SHARE
+RESULTS = Path("results")
+STORE = RESULTS / "store"  # may be a link
 LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
@@ -21,7 +24,7 @@ BESIDE_ALL = ("barrier", "choices", "convergence", "speeds")
 def refuse_links(paths):
     for path in paths:
         if path.is_symlink():
-            raise Failure(f"{os.fspath(path)} is a link, which is not followed: move it away.")
+            raise Failure(f"{os.fspath(path)} {HOLDS_LINKS}")
 
 
 def link_to(target, link):

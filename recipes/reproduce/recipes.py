@@ -13,14 +13,15 @@ from claims.recipes import RECIPES, label
 from claims.samples import Sampling
 from claims.table import rows_of
 from report.jobs import builds_of, jobs_of, write_jobs
-from report.written import refuse_others, take, written
+from report.written import is_intact, refuse_others, seal, take, written
 from reproduce import stamps
+from reproduce.project import RESULTS
 from rupture import figures, once
+from rupture.commands.folder import sha256_of
 from rupture.commands.making import Scope
 from rupture.commands.script import with_sources
 from rupture.replacing import replacing
 
-RESULTS = Path("results")
 FROM_SCRATCH = "fig2.from_scratch"
 SCRIPT = "commands.sh"
 
@@ -59,17 +60,17 @@ def is_recipes(file):
 def publish(folder, place):
     """Gives files their place in results/. One that is equal keeps its date; of ours, those that
     are not written any more go."""
-    files = sorted(folder.iterdir())
-    take(RESULTS, *(place / file.name for file in files))
-    for file in files:
-        target = place / file.name
-        if not target.exists() or target.read_bytes() != file.read_bytes():
+    files = {place / file.name: file for file in sorted(folder.iterdir())}
+    take(RESULTS, *files)
+    for target, file in files.items():
+        if not is_intact(target, sha256_of(file)):
             with replacing(target) as part:
                 shutil.copyfile(file, part)
-    for path in (RESULTS / name for name in written(RESULTS)):
-        if path.parent == place and path.name not in {file.name for file in files}:
+    ours = [path for path in map(RESULTS.joinpath, written(RESULTS)) if path.parent == place]
+    for path in ours:
+        if path not in files:
             path.unlink(missing_ok=True)
-    return [place / file.name for file in files]
+    seal(RESULTS, *ours)
 
 
 def figure_of(recipe):
@@ -99,18 +100,18 @@ def make(recipe, is_whole, making):
     write_jobs(folder, jobs)
     script = once.script_of(works, label(recipe) or recipe, RECIPES.parent)
     (folder / SCRIPT).write_text(script, encoding="utf-8")
-    files = publish(folder, RESULTS / recipe)
+    publish(folder, RESULTS / recipe)
     behind = with_sources(works)
     note_asked(recipe, behind, store)
     inputs = sorted({str(path) for work in behind for path in work.stamps})
-    files = code | stamps.described([*inputs, *files], store)
+    files = code | stamps.described(inputs, store)
     stamps.save(recipe, files, [own for own in scope.lacks if not store.result(own)], store)
 
 
 def note_asked(recipe, works, store, is_finished=True):
     """Which results it needs; those of before, too, until it is finished."""
     name = stamps.record_of(recipe, stamps.ASKED)
-    before = () if is_finished else (store.result(name) or {}).get("asked", ())
+    before = () if is_finished else (store.result(name, stamps.NEEDS) or {}).get("asked", ())
     asked = {"asked": [*before, *(work.own for work in works)], "is_finished": is_finished}
     store.save(name, asked)
 

@@ -1,15 +1,23 @@
-"""What a recipe was made from: code, programs, files of users, and what it has written. As long as
-all of that stays the same, there is nothing to do for it. Dates only say where to look closer."""
+"""What a recipe was made from: code, programs and files of users. As long as all of that stays the
+same, and what it has written too, there is nothing to do for it. Dates only say where to look
+closer."""
 
 import os
 from contextlib import suppress
 from pathlib import Path
 
+from claims.claim import CLAIMS
 from claims.recipes import RECIPES, paper_of
+from report.written import intact
+from reproduce.project import RESULTS
 from rupture.commands.code import OURS, digest_at, modules_behind, path_of, read_module, stamp_of
+from rupture.commands.folder import complain
+from rupture.errors import Failure
 from rupture.programs import DRAWING
 
 ASKED = "asked"
+NEEDS = {"asked": [str], "is_finished": bool}  # what is noted of it
+STAMP = {"files": {"": list}, "lacks": [str]}
 JUDGES = ("claims/judge.py", "report/jobs.py", "reproduce/recipes.py")
 
 
@@ -48,20 +56,30 @@ def save(recipe, files, lacks, store):
     store.save(record_of(recipe, "stamp"), {"files": files, "lacks": lacks})
 
 
-def is_current(recipe, is_whole, store):
-    """`is_whole`: whether all samples are wanted, not only those that are known."""
-    stamp = store.result(record_of(recipe, "stamp"))
-    if not stamp or is_whole and stamp["lacks"]:
+def is_there(recipe, main):
+    """Whether its results are there, as they were written."""
+    try:
+        return Path(RESULTS, recipe, main) in intact(RESULTS, recipe)
+    except Failure as why:
+        complain(f"{why}: {recipe} is made again")
+        return False
+
+
+def is_current(recipe, is_whole, store, main=CLAIMS):
+    """`is_whole`: whether all samples are wanted, not only those that are known; `main`: a file
+    that it has certainly written."""
+    stamp = store.result(record_of(recipe, "stamp"), STAMP)
+    if not stamp or is_whole and stamp["lacks"] or not is_there(recipe, main):
         return False
     if any(store.place(own, "json").exists() for own in stamp["lacks"]):
         return False
     new: dict[str, list] = {}
-    for path, (seen, content) in stamp["files"].items():
-        with suppress(OSError):
-            if seen == [*stamp_of(path)]:
+    for path, known in stamp["files"].items():
+        with suppress(OSError, ValueError):
+            if known[:1] == [[*stamp_of(path)]]:
                 continue
             new |= described([path], store)
-        if new.get(path, ["", ""])[1] != content:
+        if path not in new or new[path][1:] != known[1:]:
             return False
     if new:
         save(recipe, stamp["files"] | new, stamp["lacks"], store)

@@ -5,13 +5,14 @@ import shlex
 from pathlib import Path
 
 from reproduce import stamps
-from reproduce.compute import RESULTS, STORE, prepare, write_crate
-from reproduce.project import complain, say
+from reproduce.compute import prepare, write_crate
+from reproduce.project import RESULTS, STORE, complain, say
 from rupture import once
 from rupture.tools.command_line import plural
 from sweeps.text import name_of
 
 SAID = "said"
+LINES = {"lines": [str], "code": int}
 
 
 def run_sweep(request, processes):
@@ -34,12 +35,12 @@ def run_sweep(request, processes):
 def said_of(name, file):
     """What was said the last time if nothing has changed since. Another file may have the name."""
     store = once.use(STORE, dry_run=False).store
-    stamp = store.result(stamps.record_of(name, "stamp"))
+    stamp = store.result(stamps.record_of(name, "stamp"), stamps.STAMP)
     is_same = stamp and os.path.relpath(file) in stamp["files"]
-    if not is_same or not stamps.is_current(name, True, store):
+    if not is_same or not stamps.is_current(name, True, store, f"{file.stem}.csv"):
         return None
     say("Nothing to compute: all results are up to date.")
-    return store.result(stamps.record_of(name, SAID))
+    return store.result(stamps.record_of(name, SAID), LINES)
 
 
 def look_up(sweep, making):
@@ -101,7 +102,7 @@ def make(name, request):
     drawn.mkdir(parents=True)
     written = write_results(drawn, sweep, rows)
     write_jobs(drawn, jobs_of(works))
-    files = publish(drawn, folder)
+    publish(drawn, folder)
     behind = with_sources(works)
     note_asked(name, behind, store)
     now = f"Computed now: {len(missing)}; already done: {len(rows) - len(missing)}."
@@ -112,7 +113,7 @@ def make(name, request):
         inputs = {path for work in behind for path in work.stamps}
         inputs |= {str(path) for path in (file, sweep.table) if path}
         kept = {RESULTS / row[name] for row in rows for name in sweep.kept if name in row}
-        stamps.save(name, code | stamps.described([*inputs, *files, *kept], store), [], store)
+        stamps.save(name, code | stamps.described([*inputs, *kept], store), [], store)
         again = {"lines": ["", first, *others, *said["lines"][-1 - len(written) :]], "code": 0}
         store.save(stamps.record_of(name, SAID), again)
     return said

@@ -1,8 +1,7 @@
 """./reproduce.sh clean --unneeded: deletes results that no recipe has asked for last time."""
 
-from reproduce.compute import STORE
-from reproduce.project import say
-from reproduce.stamps import ASKED
+from reproduce.project import STORE, say
+from reproduce.stamps import ASKED, NEEDS
 from rupture.commands.store import Store
 from rupture.errors import Failure
 from rupture.tools.command_line import plural
@@ -13,7 +12,7 @@ def needed(store):
     found = set()
     for path in store.folder.glob(f"re/*{ASKED}.json"):
         own = path.name.removesuffix(".json")
-        asked = store.result(own) or {"is_finished": False}
+        asked = store.result(own, NEEDS) or {"is_finished": False}
         if not asked["is_finished"]:
             name = own.removeprefix("recipe-").removesuffix(f"-{ASKED}").replace(".", "/")
             raise Failure(f"{name} was not finished, and what it needs would go: run it first")
@@ -23,7 +22,7 @@ def needed(store):
 
 def is_of_command(path, own, store):
     """Not digests of modules, nor seconds of points."""
-    return path.suffix != ".json" or "command" in (store.result(own) or {})
+    return path.suffix != ".json" or "command" in (store.result(own, dict) or {})
 
 
 def clean_unneeded():

@@ -93,9 +93,10 @@ class Estimate:
         """What is said of `count` points."""
         if (number := len(self.needs)) and any(one.program in RUNS for one in self.runs):
             seconds, disk = (sum(need[k] for need in self.needs) / number for k in ("time", "disk"))
-            cores = f"{duration(count * seconds / self.executor.cores)} with {plural(self.executor.cores, 'core')}"
+            cores = self.executor.cores
+            whole = f"{duration(count * seconds / cores)} with {plural(cores, 'core')}"
             each = f"{self.at_most}{duration(seconds)} and {disk / 1e6:.2g} MB"
-            yield f"Each point takes {each}, all of them {self.at_most}{cores}."
+            yield f"Each point takes {each}, all of them {self.at_most}{whole}."
             if self.sweep.kept:
                 yield f"Files that are kept take {self.at_most}{count * disk / 1e6:.2g} MB."
         if self.unknown:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rupture import once
+from rupture.commands.store import head
 from rupture.errors import Failure, MachineFailure
 from rupture.once import each, keep, run
 
@@ -130,12 +131,32 @@ def link(path):
     path.symlink_to("elsewhere")
 
 
+def pipe(path):
+    path.unlink()
+    os.mkfifo(path)
+
+
+def endless(path):
+    path.unlink()
+    path.symlink_to("/dev/zero")
+
+
+def forge(path):
+    """With the digest of what has another form."""
+    body = b'"command": 1}'
+    path.write_bytes(head(path.stem, body) + body)
+
+
 WAYS = [
     exchange,
     link,
+    pipe,
+    endless,
+    forge,
     Path.unlink,
     lambda path: path.write_bytes(b""),
     lambda path: os.truncate(path, 9),
+    lambda path: os.truncate(path, 2**29),
 ]
 
 
@@ -180,6 +201,8 @@ def test_a_folder_that_is_no_store_is_left_alone(lab):
 def test_a_link_inside_is_refused_a_store_may_be_one(lab):
     shutil.move(lab.store, "elsewhere")
     os.symlink("elsewhere", lab.store)
+    once.finish()
+    os.mkfifo("elsewhere/now")
     lab.call()
     os.mkdir("target")
     os.symlink("../target", "elsewhere/ab")

@@ -65,6 +65,7 @@ def make(root):
 
 def graph(project, now=NOW):
     """{id: entity}, none twice."""
+    project.seal()
     whole = crate(project.root, now)
     found = {each["@id"]: each for each in whole["@graph"]}
     assert len(found) == len(whole["@graph"])

@@ -2,7 +2,7 @@
 
 import io
 import json
-from contextlib import redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -12,6 +12,7 @@ from claims.table import table
 from conftest import ROOT
 from report.jobs import write_jobs
 from report.page import main
+from report.written import MARKER, hold, seal
 
 NOT_RUN = ("5A", "5B", "no-slip-force-driven")  # the fixture has no results of their recipe
 JUDGED = [claim_id for claim_id in table() if claim_id not in NOT_RUN]
@@ -88,6 +89,7 @@ class Project:
         self.root = Path(root)
         self.results = self.root / "results"
         self.page = self.results / "index.html"
+        hold(self.results).close()
         spill(self.root / "docs/claims.md", (ROOT / "docs/claims.md").read_bytes())
 
     def make_recipes(self):
@@ -116,15 +118,23 @@ class Project:
         fronts = (job(f"{n}", f"{line} {n}", 70, 0.5) | read for n in range(POINTS))
         write_jobs(self.results / "fig4", [load, *fronts, {"id": "ef", "command": "rupture load"}])
 
+    def seal(self):
+        """All files are as ./reproduce.sh has written them."""
+        files = (path for path in self.results.rglob("[!.]*") if path.is_file())
+        apart = {self.results / MARKER.name, *self.results.glob("store/**/*")}
+        seal(self.results, *(path for path in files if path not in apart))
+
     def spill_kept(self, name):
         spill(self.results / "store" / name, "a checkpoint")
 
     def report(self):
         """Makes the page: exit code, standard output and standard error."""
-        said, end = io.StringIO(), ""
-        with redirect_stdout(said):
+        said, errors, end = io.StringIO(), io.StringIO(), ""
+        with redirect_stdout(said), redirect_stderr(errors):
             try:
                 main(self.root)
             except SystemExit as failed:
                 end = f"{failed}\n"
-        return SimpleNamespace(returncode=int(end != ""), stdout=said.getvalue(), stderr=end)
+        return SimpleNamespace(
+            returncode=int(end != ""), stdout=said.getvalue(), stderr=errors.getvalue() + end
+        )

@@ -15,6 +15,7 @@ import pytest
 from claims.table import table
 from conftest import BIN, ROOT, run
 from fixture import png
+from report.written import seal
 from stand_ins import WITHIN, Project, wait_for
 
 FILES = {
@@ -113,6 +114,7 @@ class Tiny(Project):
     def computed(self):
         """What a call does that succeeds: words of its commands, and "tiny" if it draws."""
         before, done = self.results(), self.call(*WORDS)
+        self.said = done.stderr
         assert done.returncode == 0, done.stderr + done.stdout
         drawn = re.findall(r"^\[.*\] \d+ of \d+: (\S+)", done.stdout, re.MULTILINE)
         assert (NOTHING in done.stdout) == (not drawn), done.stdout
@@ -210,14 +212,23 @@ def test_what_changes_during_a_run_is_computed_by_the_next_call(tiny):
     assert tiny.computed() == ["tiny"]
 
 
+def test_a_copy_without_hidden_files_is_whole(crashed, tmp_path):
+    without = {"copy_function": shutil.copy, "ignore": shutil.ignore_patterns(".*")}
+    other = crashed[0].copied(tmp_path / "copy of it", **without)
+    assert other.computed() == [] and other.runs() == 2
+
+
 @pytest.mark.parametrize("name", ["tiny.png", "claims.json", "commands.sh"])
 def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
     path = tiny.root / "results/tiny" / name
     before = path.read_bytes()
     path.write_text("{")
     assert tiny.computed() == ["tiny"] and path.read_bytes() == before
-    path.unlink()
-    assert tiny.computed() == ["tiny"] and path.read_bytes() == before
+    assert f"{name} is gone, or not as it was written: tiny is made again" in tiny.said
+    for of_others in ("true", "mkfifo", "truncate -s 1T"):
+        path.unlink()
+        subprocess.run([*of_others.split(), path], check=True)
+        assert tiny.computed() == ["tiny"] and path.read_bytes() == before
 
 
 LINKED = ("tiny", "runs.jsonl", "store/ab")
@@ -257,6 +268,17 @@ def test_others_files_are_not_replaced_and_ours_go_with_what_wrote_them(tiny):
     done = tiny.call(*WORDS)
     assert done.returncode == 1 and "results/tiny/mine.csv is not in results/" in done.stderr
     assert theirs.read_text() == "mine"
+
+
+def test_a_folder_of_others_is_left_alone(tiny):
+    shutil.rmtree(tiny.root / "results")
+    theirs = tiny.write("results/tiny/claims.json", "mine")
+    for words in (WORDS, ("report",), (*WORDS, "--dry-run")):
+        done = tiny.call(*words)
+        assert (done.returncode, done.stderr.count("\n")) == (1, 1)
+        assert "results has other files, and no rupture-results to say" in done.stderr
+    assert "results/tiny/claims.json" in tiny.call("clean").stdout
+    assert theirs.read_text() == "mine" and os.listdir(tiny.root / "results") == ["tiny"]
 
 
 DRY = """# tiny
@@ -365,6 +387,7 @@ def test_another_paper_has_its_own_results_claims_and_page_which_clean_deletes(t
     assert tiny.computed() == []  # the other `tiny` is current
     for path in (tiny.root / "results").rglob("tiny.png"):
         path.write_bytes(png(2, 2))
+        seal(tiny.root / "results", path)
     done = tiny.call("report")
     pages = [tiny.root / f"results/{paper}/index.html" for paper in (".", "other")]
     first, other = (page.read_text() for page in pages)

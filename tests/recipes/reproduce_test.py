@@ -15,6 +15,7 @@ from rupture import programs
 from rupture.commands import machine
 from rupture.errors import Failure
 from reproduce.checks import defines_layout, slowest_tests
+from report.written import MARKER
 from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
 
@@ -125,36 +126,54 @@ def test_a_colon_would_make_two_folders_of_modules(tmp_path):
     assert (done.returncode, done.stdout) == (1, "") and "has a colon; rename it" in done.stderr
 
 
+LIST, FIRST = f"results/{MARKER.name}", MARKER.layout
+
+
+def ours(names):
+    return "".join(f"-  {name}\n" for name in names.split())
+
+
 CACHE = "\nCMAKE_PROJECT_NAME:STATIC=rupture\n"
 
 
 def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     root = project.root
-    for name in "disk/a results/a results/x/y results/mine mine .snakemake/z build/other/o".split():
+    for name in "disk/a results/a results/x/y results/mine mine build/other/o".split():
         project.write(name)
     project.write("build/release/CMakeCache.txt", CACHE)
     for name in ("results/empty", "build/empty"):
         (root / name).mkdir()
     (root / "results/disk").symlink_to("../disk")
     (root / "results/link").symlink_to("../mine")
-    listed = "a x/y disk/a link ../mine /etc/hostname".replace(" ", "\n")
-    project.write("results/.rupture-files", f"{listed}\n\n.\n")
+    listed = "a x/y disk/a link ../mine /etc/hostname"
+    project.write(LIST, f"{FIRST}{ours(listed)}-  \n-  .\nbut this was not writ")
     deleted, _, *left = project.call("clean").stdout.splitlines()
-    assert deleted == "Deleted 2 files in results/, .snakemake/, build/release/."
+    assert deleted == "Deleted 2 files in results/, build/release/."
     kept = ["results/disk -> ../disk", "results/link -> ../mine", "results/mine"]
     assert left == [f"  {name}" for name in (*kept, "build/other/o")]
     for name in ("disk/a", "mine", *(one.split()[0] for one in kept)):
         assert (root / name).exists()
-    assert not (root / "results/x").exists() and not (root / ".snakemake").exists()
+    assert not (root / "results/x").exists()
     assert (root / "results/empty").exists() and (root / "build/empty").exists()
 
 
 def test_clean_deletes_folders_that_become_empty(project):
     project.write("results/a")
-    project.write("results/.rupture-files", "a\nx/not-yet\n")
+    project.write(LIST, FIRST + ours("a x/not-yet"))
     (project.root / "results/x").mkdir()
     assert project.call("clean").stdout == "Deleted 1 file in results/.\n"
     assert not (project.root / "results").exists() and not (project.root / "build").exists()
+
+
+def test_results_of_an_earlier_version_are_refused_and_go_with_clean(project):
+    project.write("results/a")
+    mine = project.write("results/mine")
+    project.write("results/.rupture-files", "a\n../results/mine\n/etc/hostname\n")
+    done = project.call("report")
+    assert (done.returncode, done.stderr.count("\n")) == (1, 1)
+    assert "results is of an earlier version: ./reproduce.sh clean deletes its files" in done.stderr
+    assert project.call("clean").stdout.startswith("Deleted 1 file in results/.\n")
+    assert [*(project.root / "results").iterdir()] == [mine]
 
 
 def test_a_lock_that_was_deleted_is_not_taken(folder):
@@ -183,7 +202,7 @@ def test_the_second_signal_ends_a_program_that_is_starting(folder):
 def test_clean_follows_no_link(project):
     project.write("disk/a")
     project.write("disk/release/CMakeCache.txt", CACHE)
-    project.write("disk/.rupture-files", "a\n")
+    project.write("disk/rupture-results", FIRST + ours("a"))
     for name in ("results", "build"):
         (project.root / name).symlink_to("disk")
     assert "Nothing was deleted.\n" in project.call("clean").stdout

@@ -15,6 +15,7 @@ import time
 from functools import cache
 from pathlib import Path
 
+from rupture.commands.folder import open_regular
 from rupture.errors import Failure, UsageError
 from rupture import programs
 from rupture.programs import DRAWING, PACKAGE
@@ -48,7 +49,8 @@ def stamp_of(path):
 @cache
 def digest_at(path, _stamp):
     """The digest of a file; of a program only what is in memory when it runs."""
-    content = Path(path).read_bytes()
+    with open_regular(path) as file:
+        content = file.read()
     if not content.startswith(ELF):
         return digest(content)
     return digest(*(text for name, text in sections(content) if name not in NOT_COMPUTED_WITH))
@@ -126,12 +128,20 @@ def imported(tree):
             yield from ((node.level, name.strip(".")) for name in names)
 
 
+def is_import(one):
+    is_pair = isinstance(one, list) and [*map(type, one)] == [int, str]
+    return is_pair and 0 <= one[0] < 99 and "\0" not in one[1]
+
+
+CODE = {"code": str, "imports": [is_import]}  # what the store has of a module
+
+
 def read_module(path, store):
     """A digest of its code, and what it imports. The store has both for each text."""
     if os.stat(path).st_ctime > BEGAN:  # what was imported may be another text
         raise Failure(f"{path} has changed meanwhile: start again")
     own = digest("code", source := path.read_bytes())
-    if not (known := store.result(own)):
+    if not (known := store.result(own, CODE)):
         tree = ast.parse(source)
         imports = sorted(set(imported(tree)))
         known = {"code": digest(ast.dump(without_docstrings(tree))), "imports": imports}

@@ -8,9 +8,10 @@ import time
 from contextlib import contextmanager, suppress
 
 from rupture.commands.code import digest_of_program, path_of, stamp_of
+from rupture.commands.folder import complain
 from rupture.commands.identity import Made, Refused
 from rupture.commands.pool import Stopped
-from rupture.commands.store import complain, writing
+from rupture.commands.store import writing
 from rupture.errors import Failure
 
 

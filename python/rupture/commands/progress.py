@@ -5,7 +5,7 @@ import time
 from collections import Counter
 
 from rupture.commands.code import digest
-from rupture.commands.store import complain
+from rupture.commands.folder import complain
 
 PAUSE = 1.0  # [s] at least between two lines
 SHOWN = 5  # sentences
@@ -18,7 +18,9 @@ class Progress:
         self.title, self.store, self.guard = title, store, threading.Lock()
         self.own = digest("seconds", title)
         self.keys = [digest(repr(point)) for point in points]
-        self.seconds = (store.result(self.own) if title else None) or {}  # of last time
+        self.seconds = (
+            store.result(self.own, {"": float | int}) if title else None
+        ) or {}  # of last time
         usual = sum(self.seconds.values()) / max(1, len(self.seconds)) or 1.0
         self.expected = [self.seconds.get(key, usual) for key in self.keys]
         self.rest, self.worked, self.done = sum(self.expected), 0.0, 0

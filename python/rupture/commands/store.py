@@ -2,21 +2,25 @@
 kept. They appear whole or not at all, and are checked when they are read. STORE/now has the files
 of the call that runs, and goes with it, or with the next one if it was killed."""
 
-import fcntl
 import hashlib
 import json
+import math
 import os
+import re
 import shutil
-import sys
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rupture.commands.code import stamp_of
-from rupture.errors import Failure, MachineFailure
+from rupture.commands.folder import Marker, complain, fits, open_own, parsed, read_own, sha256_of
+from rupture.errors import MachineFailure
 
-MARKER = "rupture-store"  # says whose folder it is, and of which layout; is locked
-LAYOUT = "Results of rupture, layout 1. All of it may be deleted.\n"
+MARKER = Marker("rupture-store", "Results of rupture, layout 1. All of it may be deleted.\n")
 BODY = len('{"digest": "",') + 64  # where the rest of a result begins
+COMMON = {"command": str, "build": str | None, "started": int, "seconds": float | int, "code?": int}
+REFUSED = COMMON | {"status": re.compile("refused"), "sentence": str}
+REPORTED = COMMON | {"status": re.compile("done"), "report": object}
+MADE = COMMON | {"status": re.compile("done"), "checksums?": {"": str}, "kept": {"": str}}
 
 
 class Report(dict):
@@ -26,10 +30,6 @@ class Report(dict):
         if name in self:
             return self[name]
         raise AttributeError(f"there is no {name} in the report; it has {', '.join(self)}")
-
-
-def complain(sentence):
-    print(sentence, file=sys.stderr, flush=True)
 
 
 @contextmanager
@@ -42,26 +42,19 @@ def writing(path):
         raise MachineFailure(sentence) from error
 
 
-def open_own(path):
-    """A file that is no link."""
-    return open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW), "rb")
-
-
 def head(own, body):
     """How the file of a result begins."""
     found = hashlib.sha256(own.encode() + body).hexdigest()
     return f'{{"digest": "{found}",'.encode()
 
 
-def as_read(body):
-    return json.loads(b"{" + body, object_hook=Report)
+def is_result(value):
+    """Of a command."""
+    return any(fits(value, form) for form in (REFUSED, REPORTED, MADE))
 
 
-def is_store(folder):
-    """Whether it is ours, of this layout."""
-    marker = Path(folder, MARKER)
-    is_file = marker.is_file() and not marker.is_symlink()
-    return is_file and marker.read_text(encoding="utf-8", errors="replace") == LAYOUT
+def as_read(body, form=dict):
+    return parsed(b"{" + body, form, object_hook=Report)
 
 
 class Store:
@@ -73,34 +66,12 @@ class Store:
         self.checked = {}  # {kept file: its stamp when it was found to be as it was written}
         with writing(self.folder):
             self.folder.mkdir(parents=True, exist_ok=True)
-            self.check()
-            self.lock = self.take()
+            MARKER.check(self.folder)
+            self.lock = MARKER.lock(self.folder)
+            if self.now.exists() and not self.now.is_dir():  # rmtree() would wait for a pipe
+                self.now.unlink()
             shutil.rmtree(self.now, ignore_errors=True)
             self.now.mkdir(exist_ok=True)
-
-    def check(self):
-        """Raises Failure for a folder that is not ours."""
-        inside = {one.name: one for one in os.scandir(self.folder)}
-        if inside and MARKER not in inside:
-            raise Failure(f"{self.folder} has other files: name a new folder for the store")
-        for one in inside.values():
-            if one.is_symlink():
-                raise Failure(f"{one.path} is a link, which is not followed: move it away")
-
-    def take(self):
-        lock = open(self.folder / MARKER, "a+", encoding="utf-8")
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise Failure(f"another call uses {self.folder}: wait until it has ended") from None
-        except OSError as error:  # of some shared file systems
-            complain(f"cannot lock {self.folder} ({error.strerror}): do not start a second call")
-        lock.seek(0)
-        if (found := lock.read()) not in ("", LAYOUT):
-            raise Failure(f"{self.folder} is of another version ({found.strip()}): name a new one")
-        lock.write(LAYOUT.removeprefix(found))
-        lock.flush()
-        return lock
 
     def close(self):
         shutil.rmtree(self.now, ignore_errors=True)
@@ -115,19 +86,14 @@ class Store:
         with suppress(OSError):
             place.unlink()
 
-    def result(self, own):
-        """What is known of a command; None if nothing is."""
+    def result(self, own, form=is_result):
+        """What is known of a command, or what else has an ID; None if nothing is."""
         place = self.place(own, "json")
-        try:
-            with open_own(place) as file:
-                text = file.read()
-        except FileNotFoundError:
-            return None
-        except OSError:  # a link
-            text = b""
-        if text[:BODY] == head(own, text[BODY:]):
-            return as_read(text[BODY:])
-        return self.refuse(place, "it is done again")
+        with suppress(OSError, ValueError):  # a link, a pipe
+            text = read_own(place)
+            if text[:BODY] == head(own, text[BODY:]):
+                return as_read(text[BODY:], form)
+        return self.refuse(place, "it is done again") if os.path.lexists(place) else None
 
     def save(self, own, result):
         """Returns it as it will be read."""
@@ -153,11 +119,7 @@ class Store:
             link_or_copy(path, part)
             self.put(part, place)
         self.checked[place] = stamp_of(place)
-        return self.sha256(place)
-
-    def sha256(self, path):
-        with open_own(path) as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+        return sha256_of(place, math.inf)
 
     def kept(self, own, name, result):
         """The path of a kept file; None if there is none, or another one."""
@@ -167,7 +129,7 @@ class Store:
         stamp = stamp_of(place)
         if self.checked.get(place) != stamp:
             with suppress(OSError):
-                if self.sha256(place) == result["kept"][name]:
+                if sha256_of(place, math.inf) == result["kept"][name]:
                     self.checked[place] = stamp
         if self.checked.get(place) == stamp:
             return place
@@ -181,7 +143,7 @@ class Onlooker(Store):
         self.folder = Path(folder).absolute()
         self.now, self.checked = self.folder / "now", {}
         if self.folder.is_dir():
-            self.check()
+            MARKER.check(self.folder)
 
     def save(self, own, result):
         return as_read(json.dumps(result)[1:].encode())
