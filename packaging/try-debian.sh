@@ -30,7 +30,7 @@ in_debian() {
     "$debian" http_proxy="${http_proxy-}" "$@"
 }
 
-sums_of() { (cd "$1" && grep -rsoE --include='*.json' '"[^"]+\.h5": "[0-9a-f]{64}"' results/data/points | sort); }
+sums_of() { (cd "$1" && grep -rsoE --include='*.json' '"[^"]+\.h5": "[0-9a-f]{64}"' results/store | sort); }
 
 compare() {
   local theirs different

@@ -20,9 +20,8 @@ from claims.claim import CLAIMS
 from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
-from measure.tables import read_rows
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.machine import RUNS, noted
+from report.machine import RUNS
 from report.written import intact, is_intact, leave_out, seal, take, written
 from rupture.commands.folder import read_own, sha256_of
 from rupture.commands.store import place_of
@@ -42,7 +41,7 @@ WITH_TIMES = {
     RUNS: "Each call of ./reproduce.sh: recipes, cores, start and time",
     JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
-OF_THE_RUN = ("index.html", RUNS, JOBS, "numbers.csv", "claims.pdf", "claims.png")
+OF_THE_RUN = ("index.html", RUNS, "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):
@@ -146,17 +145,6 @@ def described(root, name):
     return title, "\n".join(lines), f"./reproduce.sh sweep {stem}.ini"
 
 
-def jobs_behind(results, name, paths):
-    """The jobs of a recipe, or of a user's sweep, whose points note theirs in one file."""
-    folder = results / name
-    table = folder / f"{folder.name}.csv"
-    if not name.startswith("sweeps/"):
-        return read_jobs(folder)
-    points = {row["point"] for row in read_rows(table)} if table in paths else set()
-    jobs = noted(results / JOBS, {"output": [str], "": object})
-    return [job for job in jobs if points & {Path(one).stem for one in job["output"][:1]}]
-
-
 def checkpoints_of(results, jobs):
     """The checkpoints and records that the store keeps, by the checksums of their content."""
     places = ((results / "store" / place_of(own, name), sum) for own, name, sum in files_of(jobs))
@@ -174,7 +162,7 @@ def run_of(root, name, source, built):
     paths = intact(results, name)
     title, commands, typed = described(root, name)
     files = [whole_file(results, path) for path in paths]
-    jobs = jobs_behind(results, name, paths)
+    jobs = read_jobs(results / name)
     programs = [
         built.setdefault(text, program(len(built) + 1, text)) for text, _ in sorted(builds_of(jobs))
     ]

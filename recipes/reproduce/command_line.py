@@ -8,11 +8,10 @@ from pathlib import Path
 
 from rupture.errors import UsageError
 from rupture.tools import command_line
-from rupture.tools.command_line import whole_number
+from rupture.tools.command_line import suggestion, whole_number
 from claims.recipes import read_readme, recipe_names
 from rupture.commands.machine import usable_cores
 from reproduce.project import BESIDE_ALL, SHARE, WORK
-from chains.ini import suggestion
 
 PROGRAM = "rupture reproduce" if WORK else "./reproduce.sh"
 PURPOSE = (

@@ -142,7 +142,10 @@ def is_current(path):
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
     texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
     of_recipes = (RESULTS / name for name in recipe_names(SHARE))
-    shown = [RESULTS / "jobs.jsonl", *(one for at in of_recipes for one in at.glob("*.json*"))]
+    shown = [
+        *RESULTS.glob("sweeps/*/*.json*"),
+        *(one for at in of_recipes for one in at.glob("*.json*")),
+    ]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]
     newest = max(one.stat().st_mtime for one in sources)
     sha256 = written(RESULTS).get(str(path.relative_to(RESULTS)))

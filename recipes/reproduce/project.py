@@ -1,5 +1,6 @@
 """The places of files, and how the commands print."""
 
+import errno
 import os
 from pathlib import Path
 
@@ -26,6 +27,18 @@ def refuse_links(paths):
             raise Failure(f"{os.fspath(path)} {HOLDS_LINKS}")
 
 
+def link_to(target, link):
+    """Where a folder has no links, results are within, and what recipes read is not."""
+    try:
+        link.symlink_to(target)
+    except OSError as error:
+        without = (errno.EPERM, errno.EOPNOTSUPP, errno.ENOSYS)
+        if link.name == "results" and (error.errno in without or link.is_dir()):
+            link.mkdir(exist_ok=True)
+        elif error.errno not in without:
+            raise
+
+
 def enter_root():
     """Enters the folder of recipes and results. For `rupture reproduce`, it has links to both, and
     no others, which might lead to files of the user."""
@@ -41,7 +54,7 @@ def enter_root():
                 if link.is_symlink() and link.readlink() != target:
                     link.unlink()
                 if not link.is_symlink():
-                    link.symlink_to(target)
+                    link_to(target, link)
         except OSError as error:
             where = error.filename2 or error.filename
             raise Failure(f"{where} cannot be written ({error.strerror}).") from None

@@ -40,10 +40,15 @@ def described(paths, store):
 def code_of(recipe, store):
     """Take it before the code is imported: it may change meanwhile."""
     own = sorted((RECIPES / recipe).glob("*.py"))
-    modules = modules_behind([*own, *map(RECIPES.joinpath, JUDGES)], store)
-    programs = [path_of(name) for name in OURS if name not in DRAWING]
     claims = RECIPES / paper_of(recipe) / "claims.toml"
-    return described([*modules, *programs, *filter(Path.exists, [claims])], store)
+    others = described(filter(Path.exists, [claims]), store)
+    return code_behind([*own, *map(RECIPES.joinpath, JUDGES)], store) | others
+
+
+def code_behind(modules, store):
+    """These, what they import of ours, and the programs."""
+    programs = [path_of(name) for name in OURS if name not in DRAWING]
+    return described([*modules_behind(modules, store), *programs], store)
 
 
 def save(recipe, files, lacks, store):
@@ -51,19 +56,20 @@ def save(recipe, files, lacks, store):
     store.save(record_of(recipe, "stamp"), {"files": files, "lacks": lacks})
 
 
-def is_there(recipe):
+def is_there(recipe, main):
     """Whether its results are there, as they were written."""
     try:
-        return Path(RESULTS, recipe, CLAIMS) in intact(RESULTS, recipe)
+        return Path(RESULTS, recipe, main) in intact(RESULTS, recipe)
     except Failure as why:
         complain(f"{why}: {recipe} is made again")
         return False
 
 
-def is_current(recipe, is_whole, store):
-    """`is_whole`: whether all samples are wanted, not only those that are known."""
+def is_current(recipe, is_whole, store, main=CLAIMS):
+    """`is_whole`: whether all samples are wanted, not only those that are known; `main`: a file
+    that it has certainly written."""
     stamp = store.result(record_of(recipe, "stamp"), STAMP)
-    if not stamp or is_whole and stamp["lacks"] or not is_there(recipe):
+    if not stamp or is_whole and stamp["lacks"] or not is_there(recipe, main):
         return False
     if any(store.place(own, "json").exists() for own in stamp["lacks"]):
         return False

@@ -1,8 +1,7 @@
 """A user's sweep by ./reproduce.sh: what fails, what crashes, what is computed when the file
 changes; interrupted, killed or damaged, nothing goes on by itself, and the same command completes
-it (recipes/{chains,reproduce}/)."""
+it (recipes/reproduce/sweeps.py)."""
 
-import re
 import signal
 from pathlib import Path
 
@@ -96,73 +95,22 @@ def test_a_signal_ends_all_that_runs_also_in_the_background_of_a_script(sweep, n
     process.send_signal(signal.Signals[name])
     assert process.wait(WITHIN) == code
     assert sweep.running() == []
-    assert process.stderr.read().endswith("were finished before are kept\n")
+    assert "the same call goes on from there\n" in process.stderr.read()
 
 
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
-def test_the_same_command_goes_on_and_keeps_what_is_finished_of_a_batch(sweep, number, code):
-    """Of the two points that each job computes, the second waits."""
-    sweep.replace("recipes/chains/plan.py", "MOST_BATCHES = 64", "MOST_BATCHES = 2")
+def test_the_same_command_goes_on_and_keeps_what_is_finished(sweep, number, code):
+    """Points with an even seed wait."""
     sweep.replace("my.ini", "0.1, 0.2", "0.1\nseed = 1 to 4")
     process = sweep.started()
     second = sweep.call(*RUN)
     assert (second.returncode, second.stderr.count("\n")) == (1, 1)
     sentence = "reproduce.sh: another ./reproduce.sh is running in this folder; wait until"
     assert sentence in second.stderr
-    assert "4 points: 2 done, 2 to compute" in sweep.previewed()
     process.send_signal(number)
     assert process.wait(WITHIN) == code
     assert "4 points: 4 done.\nComputed now: 2; already done: 2." in sweep.go()
     assert sweep.running() == []
-
-
-# --- points that follow from what others report --------------------------------------------------
-
-RUNS = """[chain]
-keep = start.h5
-[commands]
-prepare = prepare {values} -o start.h5
-stress = analyze stress start.h5
-[values]
-tau-bar = 0.1, 0.2
-"""
-FOLLOWS = """[chain]
-points = runs where stress.F_T > 400
-base = runs: start.h5
-[commands]
-run = restart {base} --for {time} -o end.h5
-strength = analyze strength end.h5
-[values]
-time = {stress.F_T * 1e-8}
-[quantities]
-m = strength.mu_bar_eff.9
-"""
-
-
-def test_points_that_wait_for_reports_are_checked_when_these_are_there(sweep):
-    sweep.write("go")
-    sweep.write("runs.ini", RUNS)
-    sweep.write("my.ini", FOLLOWS)
-    waits = "my: its points follow from what other points report; 2 of these to"
-    assert sweep.previewed().startswith(waits)
-    edited = sweep.write("edited", FOLLOWS.replace("-o end.h5", "-o {time}/x"))
-    done = sweep.call(*RUN)
-    assert done.returncode == 2, done.stderr
-    assert "-o needs the name of a file in the point's own folder" in done.stderr
-    assert len(sweep.stored(".json")) == 2, "those of runs.ini"
-
-    edited.unlink()
-    sweep.write("my.ini", FOLLOWS)
-    assert "1 point: 1 done.\nComputed now: 1; already done: 0." in sweep.go()
-    (row,) = sweep.rows()
-    assert list(row) == ["tau-bar", "time", "status", "sentence", "m", "point"]
-    assert (row["tau-bar"], row["status"]) == ("0.2", "done") and float(row["time"]) > 4e-6
-    assert len(sweep.stored(".json")) == 3
-
-    sweep.replace("my.ini", "> 400", "> 4000")
-    done = sweep.call(*RUN)
-    sentence = "there are no points: none of runs.ini is as 'points' says"
-    assert (done.returncode, sentence in done.stderr) == (2, True)
 
 
 # --- what the file says ------------------------------------------------------------------------
@@ -175,39 +123,74 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     sweep.replace("my.ini", "0.1, 0.2", "0.1, 2")
     done = sweep.call(*RUN)
     crash, refused = sweep.rows()
-    assert (crash["status"], refused["status"]) == ("unfinished", "failed")
-    assert crash["sentence"] == "'analyze stress start.h5 --json' ended with -9"
-    assert "Failed: my: tau-bar 0.1" in done.stderr
+    assert (crash["status"], refused["status"]) == ("unfinished", "refused")
+    assert crash["sentence"].startswith("'analyze stress start.h5 --json' ended with -9")
     assert refused["sentence"].startswith("prepare: --tau-bar 2 would put junctions beyond")
     assert done.returncode == 1
-    assert "2 points: 1 failed, 1 unfinished." in done.stdout
-    assert "To retry the unfinished points, run the same command again." in done.stderr
-    files = {path.suffix for path in (sweep.root / "results/sweeps/my").glob("*.*")}
-    assert files == {".ini", ".csv", ".hdf5", ".png", ".pdf"}
-    assert re.findall(r"\] +(\d+)/(\d+) ", done.stdout)[-1] == ("2", "2")
+    assert "Prestress: 2 points: 0 done, 2 to compute" in done.stdout
+    assert "2 points: 1 refused, 1 unfinished." in done.stdout
+    assert "to retry the unfinished points, run the same command again" in done.stderr
+    files = {path.name for path in (sweep.root / "results/sweeps/my").glob("*.*")}
+    assert files == {f"my.{end}" for end in "ini csv hdf5 png pdf".split()} | {"jobs.jsonl"}
 
     die.unlink()
     sweep.replace("my.ini", "0.1, 2", "0.1, 2, 0.2")
     sweep.replace("my.ini", "[quantities]", "[quantities]\np = stress.p.9\nF_N = stress.F_N")
     said = sweep.go()
-    assert "3 points: 2 done, 1 failed.\nComputed now: 2; already done: 1." in said
+    assert "3 points: 2 done, 1 refused.\nComputed now: 2; already done: 1." in said
     assert [row["F_N [N]"] for row in sweep.rows()] == ["1920.0", "", "1920.0"]
     assert sweep.rows()[0]["F_T [N]"].startswith("384.5")
 
-    plan = (sweep.root / "results/sweeps/my/my.ini").read_text()
     sweep.replace("my.ini", "0.1, 2, 0.2", "0.2, 0.1")
     assert sweep.previewed() == "Prestress: 2 points: 2 done, 0 to compute\n"
-    assert (sweep.root / "results/sweeps/my/my.ini").read_text() == plan, "that of the table"
+    assert len(sweep.rows()) == 3, "those of the table"
 
     sweep.replace("my.ini", "0.2, 0.1", "0.2")
     sweep.replace("my.ini", "[sweep]", "[sweep]\nthreads = 2\nmemory = 2 GB")
-    before = (sweep.root / "results/jobs.jsonl").read_text()
     process = sweep.start(*RUN)
     process.stdout.close()  # a reader who has gone
     assert (process.stderr.read(), process.wait(WITHIN)) == ("", 141)
+    assert "Computed now: 0; already done: 1." in sweep.go()
     assert [row["tau-bar"] for row in sweep.rows()] == ["0.2"]
-    assert (sweep.root / "results/jobs.jsonl").read_text() == before, "a point less, other needs"
+    assert (
+        "Nothing to compute: all results are up to date.\n\nPrestress: 1 point: 1 done."
+        in sweep.go()
+    )
 
-    for result in sweep.stored(".json"):
+    for result in (sweep.root / "results/store").glob("[0-9a-f][0-9a-f]/*.json"):
         result.write_text("{")
     assert "1 point: 0 done, 1 to compute" in sweep.previewed()
+
+
+# --- what points depend on ---------------------------------------------------------------------
+
+PROFILE = """[sweep]
+title = T
+keep = start.h5
+[commands]
+prepare = prepare --profile {file} --seed {seed} -o start.h5
+stress  = analyze stress start.h5
+[values]
+file = in/a.csv
+seed = 1, 3
+[quantities]
+F_T = stress.F_T
+"""
+
+
+def test_files_of_the_user_are_found_beside_the_sweep_and_count_by_their_bytes(sweep):
+    sweep.write("go")
+    sweep.write("in/a.csv", "x,tau-bar\n0,0.1\n")
+    sweep.write("my.ini", PROFILE)
+    assert "2 points: 2 done.\nComputed now: 2" in sweep.go()
+    first = sweep.rows()
+    assert (sweep.root / "results" / first[0]["start.h5"]).exists()
+    sweep.write("in/a.csv", "x,tau-bar\n0,0.2\n")
+    assert "2 points: 0 done, 2 to compute" in sweep.previewed()
+    assert "Computed now: 2" in sweep.go()
+    assert [row["F_T [N]"] for row in sweep.rows()] != [row["F_T [N]"] for row in first]
+    (sweep.root / "results" / sweep.rows()[1]["start.h5"]).unlink()
+    assert "Computed now: 1; already done: 1." in sweep.go()
+    sweep.write("other/my.ini", PROFILE.replace("in/a", "../in/a"))
+    other = sweep.call("sweep", "other/my.ini", *RUN[2:]).stdout
+    assert "Computed now: 0; already done: 2." in other, "the same words and bytes"

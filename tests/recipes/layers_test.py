@@ -10,8 +10,8 @@ from claims.table import table
 from conftest import ROOT
 from rupture.commands.code import without_docstrings
 
-PACKAGES = ["rupture", "measure", "claims", "a recipe", "report", "reproduce"]  # lowest first
-OLD = "chains"  # users' sweeps; `reproduce` alone calls it
+# Lowest first.
+PACKAGES = ["rupture", "measure", "claims", "a recipe", "sweeps", "report", "reproduce"]
 SOURCES = [*(ROOT / "python/rupture").rglob("*.py"), *(ROOT / "recipes").rglob("*.py")]
 RECIPES = recipe_names(ROOT)
 
@@ -19,7 +19,7 @@ RECIPES = recipe_names(ROOT)
 def layer_of(module):
     """Of a module of ours by its full name; None for others."""
     top = module.partition(".")[0]
-    if top in PACKAGES or top == OLD:
+    if top in PACKAGES:
         return top
     names = {name.partition("/")[0] for name in RECIPES}
     shared = {path.stem for path in (ROOT / "recipes").glob("*.py")}
@@ -45,9 +45,7 @@ def climbing(module, text):
     """The imports of a module that lead to a layer above its own."""
     for line, other in imports_of(text):
         own, its = layer_of(module), layer_of(other)
-        if its == OLD and own not in (OLD, "reproduce"):
-            yield f"{module}:{line} imports {other}"
-        elif {own, its} <= {*PACKAGES} and PACKAGES.index(its) > PACKAGES.index(own):
+        if {own, its} <= {*PACKAGES} and PACKAGES.index(its) > PACKAGES.index(own):
             yield f"{module}:{line} imports {other}"
 
 
@@ -64,9 +62,9 @@ def test_a_module_imports_only_from_its_layer_and_those_below(path):
         ("rupture.figures", "from measure import fronts", True),
         ("events", "import report.page", True),
         ("report.crate", "from reproduce import clean", True),
-        ("report.crate", "from chains.ini import new_ini", True),
+        ("sweeps.table", "from report.jobs import jobs_of", True),
         ("fig3.figure", "import events, fig2.commands, paper, numpy", False),
-        ("reproduce.compute", "import chains.plan, report.page", False),
+        ("reproduce.compute", "import sweeps.table, report.page", False),
     ],
 )
 def test_an_import_that_climbs_is_found(module, text, is_found):

@@ -1,20 +1,22 @@
-"""A user's sweep: its plan, and what is refused before anything is computed (chains/sweeps.py)."""
+"""A user's sweep: what its file says, and what is refused before anything is computed
+(recipes/sweeps)."""
 
+import os
 import shutil
 import subprocess
+import time
 import unicodedata
 from pathlib import Path
 from unittest import mock
 
 import pytest
 
-from conftest import ROOT, run
-from chains.sweeps import OwnSweep
+from conftest import ROOT
 from rupture.errors import Failure, UsageError
+from sweeps.sweep import Sweep
 
 BASE = ROOT / "checkpoints/fast-only.h5"
-RECORD = ROOT / "tests/compatibility/schema-3/reference-record.h5"
-CHAIN = """[sweep]
+SWEEP = """[sweep]
 [commands]
 start   = prepare {values} -o s.h5 --quiet
 restart = restart s.h5 --until-quiet -o e.h5 --record r.h5 --quiet
@@ -26,183 +28,214 @@ tau-bar = 0.1, 0.2
 type = front.type
 """
 VALUES = "tau-bar = 0.1, 0.2"
-BASED = """[sweep]
-base = base.h5
-[commands]
-restart = restart {base} {values} --for 0.01 -o e.h5 --record r.h5
-front   = analyze front r.h5 --json
-[values]
-driving.V = 0.1mm/s
-seed = 1, 2
-[quantities]
-type = front.type
-"""
 
 
-@pytest.fixture
-def plan(tmp_path, monkeypatch):
-    """Plans and reads a sweep with this text."""
-    monkeypatch.chdir(tmp_path)
+@pytest.fixture(name="read")
+def sweep_with_this_text(folder):
     shutil.copyfile(BASE, "base.h5")
 
-    def plan(text, name="sweep"):
+    def read(text, name="sweep"):
         Path(f"{name}.ini").write_text(text, encoding="utf-8")
-        own = OwnSweep(tmp_path / f"{name}.ini")
-        own.write()
-        return own.sweep
+        return Sweep(folder / f"{name}.ini")
 
-    return plan
+    return read
 
 
-# --- plans ------------------------------------------------------------------------------------
+def words(sweep, command=0, number=0):
+    """Of a command of a point."""
+    return sweep.words(sweep.commands[command], sweep.points[number])
 
 
-def test_units_and_headings_are_settled(plan):
-    text = CHAIN.replace(VALUES, f"{VALUES}\njunctions.t_R = 1 to 2 ms\njunctions.law = reference")
-    text += "speed [m/s] = front.v_c.3\nF_T = stress.F_T\n"
-    text += "c [km/s] = front.c_s / 1000\nratio = stress.F_T / 1920 / tau-bar\n"
+# --- what is taken ----------------------------------------------------------------------------
+
+
+def test_units_and_headings_are_settled(read):
+    text = SWEEP.replace(VALUES, f"{VALUES}\njunctions.t_R = 1 to 2 ms\njunctions.law = reference")
+    text += "speed [m/s] = front.v_c.3\nF_T = stress.F_T\nall = front.v_c.*\n"
     again = "--until-quiet --set junctions.t_R=2e-3"  # a later command may set what varies
-    sweep = plan(text.replace("--until-quiet", again).replace("= analyze", "= rupture analyze"))
+    sweep = read(text.replace("--until-quiet", again).replace("= analyze", "= rupture analyze"))
     expected = {"tau-bar": "1", "junctions.t_R": "s", "junctions.law": "", "type": ""}
-    assert sweep.units == expected | {"speed": "m/s", "F_T": "N", "c": "km/s", "ratio": "1"}
-    expected = {"type": "front.type", "speed": "front.v_c.3", "F_T": "stress.F_T"}
-    expected |= {"c": "front.c_s / 1000", "ratio": "stress.F_T / 1920 / tau-bar"}
-    assert sweep.columns == expected
-    command = "prepare --tau-bar 0.2 --set junctions.t_R=2ms --set junctions.law=reference -o s.h5"
-    assert sweep.points[-1].commands["start"] == f"{command} --quiet"
+    assert sweep.units == expected | {"speed": "m/s", "F_T": "N", "all": "m/s"}
+    assert sweep.columns["speed"] == "front.v_c.3"
+    typed = "prepare --tau-bar 0.2 --set junctions.t_R=2ms --set junctions.law=reference -o s.h5"
+    assert words(sweep, 0, -1) == [*typed.split(), "--quiet"]
 
 
-def test_varied_are_values_that_differ_and_do_not_follow_others(plan):
+def test_varied_are_values_that_differ_and_do_not_follow_others(read):
     values = f"{VALUES}\nsigma-bar = 0.01\nseed = 10 * {{tau-bar}}\nshape = uniform, bell"
-    assert plan(CHAIN.replace(VALUES, values)).varied == ["tau-bar", "shape"]
+    assert read(SWEEP.replace(VALUES, values)).varied == ["tau-bar", "shape"]
 
 
-def test_the_example_of_points_that_follow_from_points_is_that_of_the_page(folder):
-    own = OwnSweep(ROOT / "docs/examples/branches.ini")
-    assert own.points is None and not list(folder.iterdir())  # not yet known, and nothing is wrong
-    page = (ROOT / "docs/sweeps.md").read_text("utf-8")
-    for name, first in (("run", "[chain]\n"), ("branches", "base   = run:")):
-        text = (ROOT / f"docs/examples/{name}.ini").read_text("utf-8").partition(first)[2]
-        assert text.partition("\n[quantities]")[0].strip() in page
+ALONG_X = "0.5 from 70mm to 84mm"
+INNOCENT = [  # what of SWEEP is replaced by what, and words of the first command
+    ("{values}", "--tau-bar {tau-bar}", "--tau-bar 0.1"),
+    ("{values}", "'--set=junctions.mu_s={tau-bar}' --tau-bar 1", "--set=junctions.mu_s=0.1"),
+    (VALUES, f"{VALUES}\njunctions.mu_s = {ALONG_X}", f"--set|junctions.mu_s={ALONG_X}"),
+    (
+        VALUES,
+        f"{VALUES}\njunctions.mu_s = {ALONG_X} and 2 * {{tau-bar}} from 0 to 7mm",
+        f"--set|junctions.mu_s={ALONG_X}|--set|junctions.mu_s=0.2 from 0 to 7mm",
+    ),
+    (
+        "{values}",
+        f"{{values}} --set 'junctions.mu_s={ALONG_X}' --set 'junctions.mu_s=0.3 from 0mm to 7mm'",
+        f"--set|junctions.mu_s={ALONG_X}|--set|junctions.mu_s=0.3 from 0mm to 7mm",
+    ),
+    (VALUES, f"{VALUES}\nn = 2\nseed = {{n}} ** 2", "--seed 4"),
+    (VALUES, "tau-bar = -0.1", "--tau-bar -0.1"),
+    ("{values}", "--tau-bar={tau-bar} -o t.h5 --seed {seed}", "--seed 3"),
+    (VALUES, f"{VALUES}\nprofile = 'a b.csv'", None),
+]
 
 
-def test_names_of_the_same_look_are_the_same(plan):
+@pytest.mark.parametrize("part, new, expected", INNOCENT[:-2])
+def test_what_is_innocent_is_taken(read, part, new, expected):
+    found = words(read(SWEEP.replace(part, new, 1)))
+    wanted = expected.split("|") if "|" in expected else expected.split(" ")
+    assert any(found[n : n + len(wanted)] == wanted for n in range(len(found)))
+
+
+def test_columns_of_a_table_may_be_named_in_braces_and_have_blanks_and_quotes(read):
+    Path("p.csv").write_text('t end [ms],name,tau-bar\n10,"a ""b"" \'c\'",0.1\n')
+    text = SWEEP.replace("[sweep]", "[sweep]\npoints = p.csv").replace(f"[values]\n{VALUES}\n", "")
+    Path("a \"b\" 'c'.csv").write_text("x,junctions.mu_s\n0,0.4\n")
+    text = text.replace("--until-quiet", "--for {t end} --profile {name}.csv")
+    sweep = read(text, "a sweep with blanks")
+    assert words(sweep, 1)[2:6] == ["--for", "10ms", "--profile", "a \"b\" 'c'.csv"]
+    assert (sweep.units["t end"], sweep.units["name"]) == ("s", "")
+
+
+def test_names_of_the_same_look_are_the_same(read):
     apart, micro, mu = unicodedata.normalize("NFD", "größe"), "\u00b5", "\u03bc"
     shutil.move("base.h5", f"{apart}.h5")
     Path("größe.csv").write_text(f"driving.V [{micro}m/s]\n3\n", encoding="utf-8")
-    text = BASED.replace("base.h5", f"größe.h5\npoints = {apart}.csv")
-    text = text.replace("0.01", f"{{größe + 2 * {mu}}} --set junctions.t_R={{{mu}}}")
-    values = f"{micro} = 1{mu}s, 2{micro}s\n{apart} = 1ms\n[quantities]\n"
-    quantity = f"{apart}n [{micro}s] = 1e6 * {micro} / größe\n"
-    sweep = plan(
-        text.replace("driving.V = 0.1mm/s\nseed = 1, 2\n[quantities]\n", values) + quantity
-    )
-    command = sweep.points[0].commands["restart"]
-    assert (
-        f"--set 'driving.V=3{micro}m/s' --for 0.001002 --set junctions.t_R='1{micro}s'" in command
-    )
-    assert sweep.units["größen"] == f"{micro}s"
-    assert sweep.typed == {micro: f"{micro}s", "größe": "ms", "driving.V": f"{micro}m/s"}
+    text = f"[sweep]\nbase = größe.h5\npoints = {apart}.csv\n[commands]\n"
+    text += f"r = restart {{base}} {{values}} --for {{größe}} --quiet-time {{{mu}}} -o e.h5\n"
+    text += f"s = analyze stress e.h5\n[values]\n{micro} = 1{mu}s\n{apart} = 1ms\n"
+    sweep = read(text + f"[quantities]\n{apart}n = s.F_T\n")
+    typed = f"--set driving.V=3{micro}m/s --for 1ms --quiet-time 1{micro}s -o e.h5"
+    assert words(sweep)[2:] == typed.split(" ")
+    assert sweep.units["größen"] == "N"
 
 
-def test_commands_of_points_that_are_not_known_yet_are_checked(plan):
-    shutil.copy(ROOT / "docs/examples/run.ini", ".")
-    text = (ROOT / "docs/examples/branches.ini").read_text("utf-8")
-    with pytest.raises(UsageError, match="branches.ini, line .*needs the name of a file"):
-        plan(text.replace("-o before.h5", "-o {start}/x"), "branches")
-    assert plan(f"{text}late [ms] = event.t_rupture[8] * 1e3\n", "branches").units["late"] == "ms"
-    assert plan(f"{text}late = event.t_rupture[8]\n", "branches").units["late"] == "1"
-    assert plan(f"{text}late = after.t_rupture[8]\n", "branches").units["late"] == "s"
+def test_what_a_variant_sets_varies_with_it(read):
+    text = SWEEP.replace("[quantities]", "[variant a]\njunctions.t_R = 1ms\n[quantities]")
+    text = text.replace("[quantities]", "[variant b]\njunctions.t_R = 2ms\n[quantities]")
+    sweep = read(text)
+    assert sweep.varied == ["variant", "tau-bar"]
+    assert sweep.typed == {"variant": "", "tau-bar": "", "junctions.t_R": "ms"}
+    both = text.replace("t_R = 2ms", "t_R = 2ms, 3ms")
+    assert read(both).varied == ["variant", "tau-bar", "junctions.t_R"]
 
 
-def test_points_follow_the_content_of_the_base_which_is_copied(plan):
-    first = plan(BASED).points
-    (copy,) = Path("results/data/bases").glob("*.h5")
-    command = first[0].commands["restart"]
-    assert command.startswith(f"restart {copy} --set driving.V=0.1mm/s --seed 1 --for 0.01")
-    assert run("analyze", "checksum", copy).stdout.startswith(copy.stem)
-    shutil.move("base.h5", "b.h5")
-    again = plan(BASED.replace("base.h5", "b.h5")).points
-    assert [point.id for point in again] == [point.id for point in first]
-    shutil.copyfile(ROOT / "checkpoints/second-slow.h5", "base.h5")
-    assert not {point.id for point in first} & {point.id for point in plan(BASED).points}
+def test_a_list_of_a_file_is_a_number_of_a_shape(read):
+    text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
+    rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
+    assert read(text + rest).units["m"] == "1"
 
 
-@pytest.mark.parametrize("folder", ["tables", "a #b", "a ;b"])
-def test_the_plan_has_its_own_table_of_points(plan, folder):
-    Path(folder).mkdir()
-    table = Path(folder) / "points.csv"
-    table.write_text("tau-bar\n0.1\n0.2\n")
-    text = CHAIN.replace("[sweep]", "\ufeff[sweep]\npoints = points.csv").replace(VALUES, "")
-    sweep = plan(text.replace("\n", "\r\n"), f"{folder}/sweep")
-    table.write_text("tau-bar\n0.3\n")
-    again = OwnSweep("results/sweeps/sweep/sweep.ini").sweep
-    assert [point.values["tau-bar"] for point in again.points] == ["0.1", "0.2"]
-    assert [point.id for point in again.points] == [point.id for point in sweep.points]
-
-
-def test_each_command_is_asked_once(plan):
+def test_each_command_is_asked_once_however_many_points_there_are(read):
     with mock.patch("rupture.programs.subprocess.Popen", side_effect=subprocess.Popen) as run:
-        plan(CHAIN)
+        read(SWEEP.replace(VALUES, "tau-bar = 0 to 0.3 in 20"))
     asked = [call.args[0] for call in run.call_args_list]
     assert len(asked) == 9 == len({tuple(words) for words in asked})
 
 
+def test_ten_thousand_points_are_checked_in_little_time(read):
+    begun = time.process_time()
+    sweep = read(SWEEP.replace(VALUES, "tau-bar = 0 to 0.3 in 100\nseed = 1 to 100"))
+    assert len(sweep.points) == 10_000
+    assert time.process_time() - begun < 4
+
+
 # --- refusals ---------------------------------------------------------------------------------
 
-TWICE = "sets numerics.seed twice; remove it from .values. or .commands."
+LATER = "\nb = restart e.h5 --until {front.t_rupture.8} -o b.h5"
 REFUSED = [
-    # what of CHAIN, is replaced by what, sentence
+    # what of SWEEP, is replaced by what, sentence
     ("type = front.type", "", "needs a section .quantities."),
     ("[sweep]", "[sweep]\nseeds = 1, 2", "\\[sweep\\] has no key 'seeds'"),
-    ("[sweep]", "[sweep]\npoints = p.csv", "no table of points .*p.csv"),
+    ("[sweep]", "[sweep]\nlike = x.ini", "\\[sweep\\] has no key 'like'"),
+    ("[sweep]", "[chain]", "there is no section 'chain'"),
+    ("[sweep]", "[sweep]\ntitle =", "line 2: 'title' in .sweep. has no value"),
+    ("[sweep]", "[sweep]\ntitle = a\ntitle = b", "line 3: 'title' in .sweep. is there twice"),
+    ("[sweep]", "x", "line 1: expected .SECTION. first"),
+    (VALUES, "tau-bar", "line 8: expected NAME = VALUE or .SECTION. .got 'tau-bar'"),
+    (VALUES, f"{VALUES}\n[values]", "line 9: the section .values. is there twice"),
+    ("[sweep]", "[sweep]\ntitle = a\x1b]0;b", "line 2: there is a control character, U.001B"),
+    (VALUES, "tau-bar = 0.1\u2028", "line 8: there is a control character, U.2028"),
+    ("[sweep]", "[sweep]\npoints = p.csv", "p.csv: No such file"),
+    ("[sweep]", "[sweep]\npoints = /dev/zero", "/dev/zero: it is no file of up to"),
+    ("[sweep]", "[sweep]\npoints = pipe", "pipe: it is no file of up to"),
+    ("[sweep]", f"[sweep]\ntitle = {'x' * 201}", "longer than 200 letters"),
+    (VALUES, f"{VALUES}\n=cmd|calc!A0 = 1", "expected NAME = VALUE"),
+    ("{values}", "{values} --seed {@SUM}", "there is no '@SUM'"),
+    (VALUES, f"{VALUES}\n@SUM = 1", "'@SUM' cannot be the heading of a column"),
+    (VALUES, f"{VALUES}\nstatus = 1", "'status' cannot be the heading of a column"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
-    ("[sweep]", "[sweep]\npoints = heading.csv", "there are no points"),
     ("[sweep]", "[sweep]\npoints = one.csv", "'tau-bar' is a value and a column of the table"),
-    ("[sweep]", "[sweep]\npoints = sweep", "points cannot come from themselves"),
+    ("[sweep]", "[sweep]\npoints = e in run: events.events", "No such file"),
     ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
-    ("[sweep]", "[sweep]\nbase = record.h5", "is a record; runs continue from checkpoints"),
-    ("--until-quiet", "--fro 1", "unknown option '--fro': did you mean '--for'"),
+    ("[sweep]", "[sweep]\nkeep = x.h5", "line 2: no command writes x.h5"),
+    ("[sweep]", "[sweep]\nkeep = ../s.h5", "line 2: '../s.h5' is not the name of a file in"),
+    ("[sweep]", "[sweep]\naxis = lg", "an axis is log or linear, not 'lg'"),
+    *(
+        ("[sweep]", f"[sweep]\n{need}", f"'{need}': give a")
+        for need in ("memory = 10", "memory = 0 MB", "memory = .", "threads = 0", "threads = 1.5")
+    ),
+    # commands
+    ("s.h5 --until-quiet", "{base} --until-quiet", "line 4: {base} needs base = FILE"),
+    ("--until-quiet", "--fro 1", "restart has no option --fro: did you mean '--for'"),
     ("--until-quiet", "--record-every 1", "restart needs --until or --for or --until-quiet or "),
-    ("front r.h5", "front r.h5 --slowbelow 0.1", "unknown option '--slowbelow'.*'--slow-below'"),
-    ("-o s.h5", "", "prepare needs --output, which"),
-    (VALUES, "seed = 1", "prepare needs --tau-bar or --profile, which"),
-    ("front r.h5", "slip r.h5", "analyze slip needs --x, which"),
+    ("-o s.h5", "", "prepare needs --tau-bar or --profile, which|needs --output, which"),
     ("front r.h5", "frnt r.h5", "unknown command 'frnt': did you mean 'front'"),
+    ("front r.h5", "front t.h5", "there is no t.h5: no command before it writes it"),
     ("= prepare", "= prepar", "no program 'prepar': did you mean 'prepare'"),
-    ("= prepare", "= script x.py", "no program 'script'"),
+    ("= prepare", "= map", "no program 'map'"),
     ("= prepare", "= ../x/prepare", "no program '../x/prepare'"),
-    ("{values}", "--tau-bar 1", "no command has {values}"),
-    ("= prepare", "= {values} prepare", "no program '{values}'"),
+    ("= prepare", "= {values} prepare", "no program 'values'"),
+    ("{values}", "--tau-bar 1", "no command has {values}, nor {tau-bar}"),
+    ("{values}", "x{values}", "{values} stands alone"),
+    ("{values}", "{valus}", "'{valus}': there is no 'valus'; there are tau-bar"),
+    ("{values}", "{values", "a brace is missing"),
+    ("{values}", "{values} 'x", "cannot be split into words"),
+    ("{values}", "{values} --seed {round(5, -9999999999)}", "there is no 'round"),
+    (
+        "{values}",
+        "{values} --seed {stress.F_T}",
+        "line 3: 'stress.F_T': .commands. has no 'stress'",
+    ),
+    ("s.h5 --json", f"s.h5{LATER.replace('.8', '')}", "is a list: name one element"),
+    ("s.h5 --json", f"s.h5{LATER.replace('.8', '[8]')}", "is no quantity, such as"),
+    ("s.h5 --json", f"s.h5{LATER.replace('rupture', 'ruptur')}", "no 'front.t_ruptur.8': did"),
+    ("-o e.h5", "-o s.h5", "two commands write s.h5"),
     ("-o s.h5", "-o s.h5 -qf", "write -qf as single options"),
     ("-o s.h5", "-o s.h5 --", "write -- as single options"),
-    ("-o s.h5", "-o /abs/s.h5", "needs the name of a file in the point's own folder"),
-    ("-o s.h5", "--output=../s.h5", "needs the name of a file"),
-    ("-o s.h5", "-o .s.h5", "needs the name of a file"),
-    ("-o s.h5", "-o '' --quiet", "needs the name of a file"),
-    ("-o s.h5", "-o {tau-bar}/s.h5", "needs the name of a file"),
-    ("-o e.h5 --record r.h5", "-o e.h5 --record ../../x", "--record needs the name of a file"),
-    ("-o s.h5", "-o s.h5 --config x", "must not have --config: points would not follow"),
-    ("-o e.h5", "-o e.h5 -f", "must not have -f: a point starts in an empty"),
-    ("-o e.h5", "-o e.h5 --resume", "must not have --resume: a point starts in an empty"),
+    *(
+        ("-o s.h5", new, "needs the name of a file in the point's own folder")
+        for new in ("-o /abs/s.h5", "--output=../s.h5", "-o .s.h5", "-o ''", "-o {tau-bar}/s.h5")
+    ),
+    ("-o s.h5", "-o s.h5 --config x", "must not have --config"),
+    *(
+        ("-o e.h5", f"-o e.h5 {option}", f"must not have {option}: a point starts in an empty")
+        for option in ("-f", "--force", "--resume")
+    ),
     *(
         ("-o e.h5", f"-o e.h5 {option}", f"must not have {option}: it computes nothing")
         for option in ("--dry-run", "--help", "-h", "--version", "--describe")
     ),
-    ("{values}", "{values} --tau-bar=0.1", "'--tau-bar' cannot be specified more than once"),
-    ("-o s.h5", "-o s.h5 --seed 1 --set numerics.seed=1", TWICE),
-    (VALUES, "seed = 1\nnumerics.seed = 1\ntau-bar = 0.1", TWICE),
+    ("front r.h5", "front r.h5 --also '--stencil 7'", "must not have --also"),
+    ("{values}", "{values} --tau-bar=0.1", "cannot be specified more than once|tau-bar twice"),
     # values
     (VALUES, "", "there are no points"),
-    (VALUES, f"{VALUES}\ndriving.v = 1", "no parameter 'driving.v': did you mean 'driving.V'"),
-    (VALUES, f"{VALUES}\ntaubar = 1", "unknown option '--taubar': did you mean '--tau-bar'"),
-    (VALUES, f"{VALUES}\noutput = x", "'--output' cannot be specified more than once"),
+    (VALUES, f"{VALUES}\ndriving.v = 1", "prepare has no option --driving.v"),
+    (VALUES, f"{VALUES}\ntaubar = 1", "prepare has no option --taubar: did you mean '--tau-bar'"),
+    (VALUES, f"{VALUES}\nstart = 1", "'start' is the name of a value, too"),
     (VALUES, "tau-bar = 0.1, high, 0.2", r"tau-bar must be a finite number \(got 'high'"),
-    (VALUES, "tau-bar = high", "--tau-bar high is not a number"),
     *(
-        (VALUES, f"{VALUES}\njunctions.t_R = 1ms, {text}", r"must be a finite number in s \(got '")
-        for text in ("1mm", "nan", "1e999")
+        (VALUES, f"{VALUES}\njunctions.t_R = 2ms, {text}", r"must be a finite number in s \(got '")
+        for text in ("1mm", "nan", "1e999s")
     ),
     *(
         (VALUES, f"{VALUES}\n{same}", "two points have the same values")
@@ -210,91 +243,59 @@ REFUSED = [
     ),
     (VALUES, f"{VALUES}\njunctions.t_R = 2ms, 4", "is unclear: 4 needs a unit, too"),
     (VALUES, f"{VALUES}\njunctions.law = reference, other", r"decaying or distance \(got 'other'"),
-    (VALUES, f"{VALUES}\nshape = uniform, bel", r"must be uniform or bell \(got bel\)"),
+    (VALUES, f"{VALUES}\nshape = uniform, bel", r"must be uniform or bell \(got 'bel'\)"),
+    (VALUES, f"{VALUES}\njunctions.mu_s = 0.5 from 1 to x", "a place of junctions.mu_s must be"),
+    # values that would be options
+    ("-o s.h5", "-o s.h5 {n}", "the value '-f' would be an option"),
+    ("-o s.h5", "-o s.h5 {f}", "the value '--force' would be an option"),
+    ("-o s.h5", "-o s.h5 --{n2}", "must not have --force"),
+    ("-o s.h5", "-o s.h5 --shape {n}", "the value '-f' would be an option"),
+    ("-o s.h5", "-o s.h5 --seed '{words}'", "must be a finite number .got '2 --force'"),
+    ("-o s.h5", "-o {words}", "needs the name of a file"),
     # quantities
     ("front.type", "front.slow.sped", "no 'front.slow.sped': did you mean 'front.slow.speed'"),
+    ("front.type", "front.type.x", "no 'front.type.x'"),
     ("front.type", "frnt.type", "no 'frnt': did you mean 'front'"),
-    ("front.type", "loading.F_T.0", "write one like loading = analyze loading record.h5"),
+    ("front.type", "loading.F_T.0", ".commands. has no 'loading'; it has start, restart"),
     ("front.type", "start.F_T", "'start' does not run analyze"),
-    ("front.type", "front.v_x[3] / 2", "no 'front.v_x'"),
-    ("front.type", "start.F_T / 2", "'start' does not run analyze"),
-    ("front.type", "2 * frnt.c_s", "there is no 'frnt'"),
-    ("front.type", "2 * (front.c_s", "cannot be read as an expression"),
-    ("[sweep]", "[sweep]\naxis = lg", "an axis is log or linear, not 'lg'"),
-    ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s has the unit 'm/s'"),
-    ("type = front.type", "v [mm/s] = front.v_c[3]", "says .mm/s., but front.v_c.3. has the unit"),
-    ("type = front.type", "t [m] = front.type", "front.type has no unit; leave out .m."),
-    (
-        "type = ",
-        "\u00b5 = front.c_s\n\u03bc = ",
-        "option '\u00b5' in section 'quantities' already exists",
+    ("front.type", "front", "'front' is no quantity"),
+    ("front.type", "1000 * front.slow.duration", "is no quantity, such as front.slow.speed"),
+    ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s is in 'm/s'"),
+    *(
+        ("type = ", f"{name} = ", "cannot be the heading")
+        for name in ("v/c_s", "status", "tau-bar", "@SUM(1)", "element")
     ),
-    ("type = ", "v/c_s = ", "cannot be the heading"),
-    ("type = ", "status = ", "cannot be the heading"),
-    ("type = ", "tau-bar = ", "cannot be the heading"),
-    ("type = ", "@SUM(1) = ", "cannot be the heading"),
-    (VALUES, f"[variant =cmd|calc!A0]\n{VALUES}", "variant must be a word or a name"),
-    (VALUES, f"{VALUES}\nseed = {'-' * 10_000}1 * {{tau-bar}}", "cannot be calculated"),
+    ("type = ", "\u00b5 = front.c_s\n\u03bc = ", "'\u00b5' in .quantities. is there twice"),
 ]
+OTHERS = "n = -f\nf = --force\nn2 = force\nwords = 2 --force\n"
 
 
 @pytest.mark.parametrize("part, new, sentence", REFUSED)
-def test_mistakes_are_refused_in_a_sentence_and_nothing_is_written(plan, part, new, sentence):
+def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sentence):
     Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
     Path("empty.csv").touch()
-    Path("heading.csv").write_text("tau-bar\n")
+    os.mkfifo("pipe")
     Path("one.csv").write_text("tau-bar\n0.1\n")
-    shutil.copyfile(RECORD, "record.h5")
-    assert part in CHAIN
-    with pytest.raises(UsageError, match=f"^/.*/sweep.ini[:,] .*{sentence}"):
-        plan(CHAIN.replace(part, new, 1))
-    assert not list(Path("results").glob("sweeps/*/*"))
+    assert part in SWEEP
+    text = SWEEP.replace(part, new, 1)
+    named = [line for line in OTHERS.splitlines() if f"{{{line.split(' = ')[0]}}}" in new]
+    text = text.replace(VALUES, "\n".join([VALUES, *named]))
+    with pytest.raises(UsageError, match=f"^/.*/sweep.ini[:,] .*({sentence})"):
+        read(text)
 
 
-def test_a_list_of_a_file_is_a_number_of_a_shape(plan):
-    text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
-    rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
-    assert plan(text + rest).units["m"] == "1"
-    of_file = plan(CHAIN.replace("stress s.h5", "strength s.h5") + "m = stress.mu_bar_eff")
-    assert of_file.units["m"] == "1"
+def test_the_words_of_every_point_are_checked(read):
+    text = SWEEP.replace(VALUES, f"{VALUES}\nseed = 1, 2, --force")
+    with pytest.raises(UsageError, match="line 3: .*the value '--force' would be an option"):
+        read(text)
 
 
-def test_a_logarithmic_axis_has_positive_numbers(plan):
-    log = CHAIN.replace("[sweep]", "[sweep]\naxis = log")
-    assert plan(log).axis == "log"
-    assert plan(log.replace(VALUES, f"{VALUES}\nsigma-bar = 0")).axis == "log"  # it has no axis
-    with pytest.raises(UsageError, match="sweep.ini, line 2: tau-bar is 0: a logarithmic axis has"):
-        plan(log.replace(VALUES, "tau-bar = 0, 0.1"))
+@pytest.mark.parametrize("name", [".sweep", "a\x1bb", "a\nb", "n" * 101])
+def test_names_that_results_cannot_have_are_refused(read, name):
+    with pytest.raises(UsageError, match="rename the file|control character"):
+        read(SWEEP, name)
 
 
-def test_what_a_variant_sets_varies_with_it(plan):
-    text = CHAIN.replace("[quantities]", "[variant a]\njunctions.t_R = 1ms\n[quantities]")
-    text = text.replace("[quantities]", "[variant b]\njunctions.t_R = 2ms\n[quantities]")
-    sweep = plan(text)
-    assert sweep.varied == ["variant", "tau-bar"]
-    assert sweep.typed == {"variant": "", "tau-bar": "", "junctions.t_R": "ms"}
-    both = text.replace("t_R = 2ms", "t_R = 2ms, 3ms")
-    assert plan(both).varied == ["variant", "tau-bar", "junctions.t_R"]
-
-
-def test_what_cannot_be_named_read_or_written_is_said_with_the_file(plan, tmp_path):
-    with pytest.raises(UsageError, match="rename the file: its results take its name"):
-        plan(CHAIN, "my sweep")
+def test_a_file_that_cannot_be_read_is_named():
     with pytest.raises(Failure, match="^none.ini: No such file"):
-        OwnSweep(Path("none.ini"))
-    Path("results").touch()
-    with pytest.raises(Failure, match="results/rupture-results: Not a directory$"):
-        plan(CHAIN)
-
-
-@pytest.mark.parametrize("ending", [".ini", ".csv", ".hdf5", ".png", ".pdf"])
-def test_files_of_the_user_are_not_replaced(plan, ending):
-    plan(CHAIN)
-    plan(CHAIN)  # what is ours is
-    mine = Path(f"results/sweeps/other/other{ending}")
-    mine.parent.mkdir()
-    mine.write_text("mine")
-    with pytest.raises(UsageError, match=f"^/.*/other.ini: {mine} is not in results"):
-        plan(CHAIN, "other")
-    assert ([*mine.parent.iterdir()], mine.read_text()) == ([mine], "mine")
-    assert mine.name not in Path("results/rupture-results").read_text()
+        Sweep(Path("none.ini"))

@@ -9,6 +9,7 @@ from unittest.mock import Mock, patch
 
 import pytest
 
+import reproduce.project
 from conftest import ROOT, run
 from rupture import programs
 from rupture.commands import machine
@@ -86,6 +87,15 @@ def test_modules_and_programs_elsewhere_are_not_taken_for_ours(project):
         patched.setenv("PATH", "")
         with pytest.raises(Failure, match="program analyze not found: neither built"):
             programs.path_of("analyze")
+
+
+def test_a_folder_without_links_has_results_within(folder, monkeypatch):
+    monkeypatch.setattr("pathlib.Path.symlink_to", Mock(side_effect=PermissionError(1, "no")))
+    monkeypatch.setattr(reproduce.project, "WORK", folder)
+    monkeypatch.setattr(reproduce.project, "ROOT", folder / ".rupture")
+    for _ in range(2):
+        reproduce.project.enter_root()
+        assert [one.name for one in (folder / ".rupture").iterdir()] == ["results"]
 
 
 @pytest.mark.parametrize(

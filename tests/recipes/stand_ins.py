@@ -81,10 +81,6 @@ class Project:
         assert old in text
         self.write(name, text.replace(old, new, 1))
 
-    def stored(self, ending):
-        """Files of points, without those that are being written."""
-        return sorted((self.root / "results/data/points").glob(f"[!.]*{ending}"))
-
     def calls(self):
         """What stand-ins have written of themselves."""
         return Path(self.root / "calls").read_text()

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from chains.values import rows_in
 from commands import json_of, output_of, refuses
 from rupture.errors import UsageError
+from sweeps.values import rows_in
 
 LOAD = "load --config small.ini -q -o a.h5 --profile p.csv"
 TAKEN = [
@@ -41,7 +41,7 @@ REFUSED = [  # the line that both name
 def test_the_same_in_many_forms(small_ini, text):
     Path("p.csv").write_bytes(text.encode())
     rows = [("0mm", "0.4"), ("140mm", "0.8")]
-    assert rows_in("p.csv") == [{"x": [x], "junctions.mu_s": [mu_s]} for x, mu_s in rows]
+    assert rows_in(Path("p.csv")) == [{"x": x, "junctions.mu_s": mu_s} for x, mu_s in rows]
     output_of(LOAD)
     found = json_of("analyze show a.h5 --json")["parameters"]["junctions.mu_s"]
     assert found == pytest.approx([0.4 + 0.05 * i for i in range(9)])
@@ -52,4 +52,4 @@ def test_a_mistake_is_named_with_its_line(small_ini, line, text):
     Path("p.csv").write_bytes(text.encode())
     refuses(LOAD, 2, f"p.csv:{line}: ...")
     with pytest.raises(UsageError, match=rf"^p\.csv(, line {line})?: "):
-        rows_in("p.csv")
+        rows_in(Path("p.csv"))

@@ -4,11 +4,12 @@ import json
 import os
 import re
 import shlex
+from functools import cached_property
 from pathlib import Path
 from threading import Lock
 
 from rupture.commands.code import OURS, WRITERS, build_at, digest, digest_at
-from rupture.commands.code import digest_of_function, digest_of_program, path_of, stamp_of
+from rupture.commands.code import digest_of_function, stamp_of
 from rupture.errors import Failure, MachineFailure, NoSuchName, UsageError, is_of_machine
 
 TOKEN = re.compile(r"@([0-9a-f]{16})/([\w.+-]+)")  # a made file in a command
@@ -81,39 +82,61 @@ class Work:
         return None
 
     def named(self, name, source):
-        """The plain name of an input, numbered if it is taken."""
+        """The plain name of an input, numbered if it is taken. It is no option."""
+        name = name if PLAIN.match(name) else f"_{name}"
         stem, dot, ending = name.rpartition(".")
-        names = [name, *(f"{stem}-{n}{dot}{ending}" for n in range(2, 999))]
+        names = (f"{stem}-{n}{dot}{ending}" if n > 1 else name for n in range(1, 999))
         free = (one for one in names if one not in self.outputs)
         found = next(one for one in free if str(self.inputs.get(one, source)) == str(source))
         self.inputs[found] = source
         return found
 
 
+def words_in(line):
+    """The words of a command, without `rupture`."""
+    words = shlex.split(line) if set(line) & set("\"'\\") else line.split()
+    words = words[1:] if words[:1] == ["rupture"] else words
+    if not words:
+        raise UsageError("the command is empty: begin it with the name of a program")
+    return words
+
+
+def outputs_in(words):
+    pairs = [*zip(words, words[1:]), *(word.partition("=")[::2] for word in words)]
+    return [name for option, name in pairs if option in OUTPUTS and name]
+
+
 class Command(Work):
     """A program with its words; command["end.h5"] is a file that it writes."""
 
     def __init__(self, line, making, folder):
+        """`line`: as one types it; or its words, which are taken as they are, and files."""
         super().__init__(making, folder)
-        words = shlex.split(line) if set(line) & set("\"'\\") else line.split()
-        words = words[1:] if words[:1] == ["rupture"] else words
-        if not words:
-            raise UsageError("the command is empty: begin it with the name of a program")
-        pairs = [*zip(words, words[1:]), *(word.partition("=")[::2] for word in words)]
-        self.outputs = [name for option, name in pairs if option in OUTPUTS and name]
+        self.is_typed = isinstance(line, str)
+        words = words_in(line) if self.is_typed else line
+        self.outputs = outputs_in([word for word in words if isinstance(word, str)])
         for name in self.outputs:
             if not PLAIN.fullmatch(name):
                 raise UsageError(f"'{line}' writes '{name}': give a name without a folder")
         self.program, self.has_report = words[0], words[0] == "analyze"
         self.words = [words[0], *map(self.plain, words[1:])]
-        self.line = shlex.join(self.words)
-        self.typed = f"rupture {self.line}" if self.program in OURS else self.line
-        self.stamps[path_of(self.program)] = stamp_of(path_of(self.program))
-        self.own = self.known_by(digest_of_program(self.program, making.store), *self.words)
+        self.path, stamp, known_by = making.program(self.program)
+        self.stamps[self.path] = stamp
+        self.own = self.known_by(known_by, *self.words)
+
+    @cached_property
+    def line(self):
+        return shlex.join(self.words)
+
+    @property
+    def typed(self):
+        return f"rupture {self.line}" if self.program in OURS else self.line
 
     def plain(self, word):
         """A word as it is typed in the folder of the command."""
-        if "@" in word:
+        if isinstance(word, Made):
+            return self.named(word.name, word)
+        if self.is_typed and "@" in word:
             return TOKEN.sub(lambda found: self.input_of(*found.groups()), word)
         option, equals, value = word.partition("=") if word.startswith("--") else ("", "", word)
         if value and value not in self.outputs and (path := self.own_file(value)):
@@ -133,13 +156,12 @@ class Command(Work):
         return Made(self, name)
 
     def build(self):
-        path = path_of(self.program)
-        return build_at(path, stamp_of(path))
+        return build_at(self.path, stamp_of(self.path))
 
     def done_in(self, folder, executor):
         """The result in a folder with its inputs. Raises Failure if there is none."""
         said = SAID.get(self.program, [])
-        words = [path_of(self.program), *self.words[1:], *(w for w in said if w not in self.words)]
+        words = [self.path, *self.words[1:], *(w for w in said if w not in self.words)]
         try:
             code, output, sentence = executor.run(words, folder)
         except OSError as error:

@@ -7,6 +7,7 @@ import threading
 import time
 from contextlib import contextmanager, suppress
 
+from rupture.commands.code import digest_of_program, path_of, stamp_of
 from rupture.commands.folder import complain
 from rupture.commands.identity import Made, Refused
 from rupture.commands.pool import Stopped
@@ -57,10 +58,18 @@ class Making:
         self.cap = cap or shutil.disk_usage(store.folder).free // 2  # [bytes]
         self.works, self.held, self.guard = {}, {}, threading.RLock()
         self.here, self.outermost, self.shown = threading.local(), Scope(), set()
+        self.paths, self.programs = {}, {}
 
     @property
     def scope(self):
         return getattr(self.here, "scope", self.outermost)
+
+    def program(self, name):
+        """Its path, the stamp of that, and what it computes with."""
+        path = self.paths[name] = self.paths.get(name) or path_of(name)
+        if (stamp := stamp_of(path)) not in self.programs:
+            self.programs[stamp] = path, stamp, digest_of_program(name, self.store)
+        return self.programs[stamp]
 
     def within(self, scope, function, values):
         """Calls a function for a point."""

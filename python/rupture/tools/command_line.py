@@ -1,6 +1,7 @@
 """Command lines of the programs in Python: argparse, a sentence for each error, and --describe."""
 
 import argparse
+import difflib
 import json
 import math
 import os
@@ -124,6 +125,18 @@ def option_json(action):
         "help": action.help.removesuffix(DEFAULT),
     }
     return described | ({"words": list(action.choices)} if action.choices else {})
+
+
+def suggestion(name, known):
+    """Asks whether a known name was meant that is similar, or differs only in capitals."""
+    by_lower = {other.lower(): other for other in known}
+    near = difflib.get_close_matches(name.lower(), by_lower, n=1)
+    return f": did you mean '{by_lower[near[0]]}'?" if near else ""
+
+
+def check_known(name, known, what):
+    if name not in known:
+        raise UsageError(f"{what} '{name}'{suggestion(name, known)}")
 
 
 def in_one_line(text):

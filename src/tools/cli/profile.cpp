@@ -46,7 +46,7 @@ std::string trimmed(const std::string& text) {
 }
 
 /// The cells of a line of a table (docs/runs.md), without blanks around them and empty ones at the
-/// end; none of a comment. As table_in() of recipes/chains/values.py.
+/// end; none of a comment. As table_in() of recipes/sweeps/values.py.
 std::vector<std::string> cells_of(std::string line) {
   std::ranges::replace(line, '\t', ' ');
   std::vector<std::string> cells = {""};

@@ -1,28 +1,23 @@
-"""The default picture of a user's sweep: every measured quantity against the one or two values that
-vary, each a Column (table.py). Seeds are repetitions: single ones and their median are shown."""
+"""The picture of a sweep: every quantity against the one or two values that vary, each a Column.
+Seeds are repetitions: single ones and their median are shown."""
 
-import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.ticker import NullLocator
 
 from measure.map_panels import COLOURS
-from report.symbols import GREEK
-from rupture.units import in_si
 from rupture.figures import BLACK, DOUBLE, LINES, MM, SINGLE, VERMILION, figure, save
 from rupture.plotting import MAP
+from rupture.units import in_si
 
 SEEDS = ("seed", "numerics.seed")
 PANEL = 62 * MM  # height [inch]
-OPTIONS = {"tau-bar": "tau_bar_0", "sigma-bar": "sigma_bar"}  # symbols of options
-SYMBOL = re.compile(rf"(delta )?({'|'.join(GREEK)}|[A-Za-z])(_bar)?(?:_(\w+))?")
-DELTA = r"\delta "
-FEW = 8  # places of a logarithmic axis that have their numbers
 QUARTILES = (0.25, 0.5, 0.75)
 HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
+FEW = 20  # places of a logarithmic axis that have their numbers, and panels
+APART = 2  # at least between two labels of ticks [pixels]
 
 
 def plain(text):
@@ -30,21 +25,9 @@ def plain(text):
     return text.replace("$", r"\$")
 
 
-def symbol_of(name, sweep):
-    """A symbol of docs/model.md for Matplotlib; empty for what has none."""
-    found = SYMBOL.fullmatch(OPTIONS.get(name) or sweep.symbols.get(name, ""))
-    if not found:
-        return ""
-    change, letter, bar, index = found.groups(default="")
-    letter = rf"\{letter}" if letter in GREEK else letter
-    letter = rf"\bar{{{letter}}}" if bar else letter
-    index = f"{{{index}}}" if len(index) < 3 else rf"\mathrm{{{index}}}"
-    return f"${DELTA * bool(change)}{letter}{'_' + index if found[4] else ''}$"
-
-
 def as_typed(column, sweep):
-    """The column with its symbol, and numbers in the unit in which all of them were typed."""
-    column = replace(column, symbol=symbol_of(column.name, sweep), axis=sweep.axis or column.scale)
+    """The column with numbers in the unit in which all of them were typed."""
+    column = replace(column, axis=sweep.axis or column.scale)
     if not (unit := sweep.typed.get(column.name)) or not column.unit:
         return column
     factor = in_si(f"1{unit}")[0]
@@ -52,45 +35,80 @@ def as_typed(column, sweep):
     return replace(column, unit=unit, cells=cells)
 
 
-def label_of(column):
-    return replace(column, name=column.symbol or plain(column.name)).heading
+# --- axes ----------------------------------------------------------------------------------
 
 
-def set_axis(axes, which, axis):
-    axes.set(**{f"{which}label": label_of(axis), f"{which}scale": axis.scale})
-    if axis.categories:
-        axes.set(**{f"{which}ticks": range(len(axis.categories))})
-        axes.set(**{f"{which}ticklabels": axis.categories})
-        axes.set(**{f"{which}lim": (-0.5, len(axis.categories) - 0.5)})
-    elif axis.axis == "log" and len(places := np.unique(axis.positions)) <= FEW:  # it varies
-        getattr(axes, f"{which}axis").set_minor_locator(NullLocator())
-        axes.set(**{f"{which}ticks": places, f"{which}ticklabels": [f"{p:g}" for p in places]})
-    elif axis.scale == "linear":
+def set_axis(axes, which, column):
+    axes.set(**{f"{which}label": plain(column.heading), f"{which}scale": column.scale})
+    axis = getattr(axes, f"{which}axis")
+    if column.categories:
+        axis.set_ticks(range(len(column.categories)), [*map(plain, column.categories)])
+        axes.set(**{f"{which}lim": (-0.5, len(column.categories) - 0.5)})
+    elif column.axis == "log" and len(places := np.unique(column.positions)) <= FEW:  # it varies
+        axis.set_minor_locator(NullLocator())
+        axis.set_ticks(places, [f"{place:g}" for place in places])
+    elif column.scale == "linear":
         axes.ticklabel_format(axis=which, style="sci", scilimits=(-3, 5), useMathText=True)
 
 
-def middle(column, here):
-    """The median of these points; of texts the most frequent one; NaN where there is none."""
-    found = column.positions[here & np.isfinite(column.positions)]
-    if not len(found):
-        return np.nan
-    return np.bincount(found.astype(int)).argmax() if column.categories else np.median(found)
+def space_labels(fig):
+    """Labels of ticks that would overlap: names along x are turned, of others some are left out."""
+    fig.draw_without_rendering()
+    for axis in (axis for axes in fig.axes for axis in (axes.xaxis, axes.yaxis)):
+        labels, which = axis.get_ticklabels(), 0 if axis.axis_name == "x" else 1
+        texts = [label.get_text() for label in labels]
+        shown = without_overlap(labels, which)
+        if len(shown) == sum(map(bool, texts)):
+            continue
+        if which == 0 and not texts[0][:1].isdigit():
+            axis.set_tick_params(rotation=90)
+        else:
+            axis.set_ticks(
+                axis.get_ticklocs(), [text * (n in shown) for n, text in enumerate(texts)]
+            )
+
+
+def without_overlap(labels, which):
+    """The numbers of those with a text that stay."""
+    ends = {n: label.get_window_extent() for n, label in enumerate(labels) if label.get_text()}
+    shown, last = [], -np.inf
+    for number in sorted(ends, key=lambda n: ends[n].min[which] + ends[n].max[which]):
+        if ends[number].min[which] > last + APART:
+            shown.append(number)
+            last = ends[number].max[which]
+    return shown
 
 
 # --- one value varies ----------------------------------------------------------------------
 
 
+def groups(*axes):
+    """{place on these axes: numbers of the points there}, in order."""
+    found: dict[tuple, list] = {}
+    for number, place in enumerate(zip(*(axis.positions for axis in axes))):
+        found.setdefault(place, []).append(number)
+    return dict(sorted(found.items()))
+
+
+def values_at(column, here):
+    return column.positions[here][np.isfinite(column.positions[here])]
+
+
+def quartiles(column, here):
+    found = values_at(column, here)
+    return np.quantile(found, QUARTILES) if len(found) else [np.nan] * 3
+
+
 def draw_line(axes, x, y, done):
-    """Single points and the line of their medians, or dots for texts, whose area is the number of
-    points. At the bottom, below all dots, are points that are not done, or have no value."""
+    """Single points and the line of their medians, which breaks where there is no value; or dots
+    for texts, whose area is the number of points. At the bottom, below all dots, are points that
+    are not done, or have no value."""
     if y.categories:
         places, counts = np.unique([x.positions, y.positions], axis=1, return_counts=True)
         axes.scatter(*places, s=12 * counts, color=LINES[0], linewidth=0)
     else:
-        known = np.isfinite(x.positions) & np.isfinite(y.positions)
-        places = np.unique(x.positions[known])
-        at = [y.positions[known & (x.positions == place)] for place in places]
-        low, medians, high = ([np.quantile(each, q) for each in at] for q in QUARTILES)
+        places = [place for place, in groups(x)]
+        low, medians, high = zip(*(quartiles(y, here) for here in groups(x).values()))
         axes.plot(x.positions, y.positions, "o", color=LINES[0], alpha=0.5, markeredgewidth=0)
         axes.fill_between(places, low, high, color=LINES[0], alpha=0.2, linewidth=0)
         axes.plot(places, medians, color=LINES[0])
@@ -117,14 +135,20 @@ def edges(axis):
     return np.exp(borders) if axis.scale == "log" else borders
 
 
+def middle(column, here):
+    """The median of these points; of texts the most frequent one; NaN where there is none."""
+    found = values_at(column, here)
+    if not len(found):
+        return np.nan
+    return np.bincount(found.astype(int)).argmax() if column.categories else np.median(found)
+
+
 def cells(x, y, value_at):
     """The values of a map: value_at(which points) for each pair of places that has points."""
-    (x_places, columns), (y_places, rows) = (
-        np.unique(axis.positions, return_inverse=True) for axis in (x, y)
-    )
-    grid = np.full((len(y_places), len(x_places)), np.nan)
-    for row, column in {*zip(rows, columns)}:
-        grid[row, column] = value_at((rows == row) & (columns == column))
+    rows, columns = ({p: n for n, p in enumerate(np.unique(axis.positions))} for axis in (y, x))
+    grid = np.full((len(rows), len(columns)), np.nan)
+    for (at_x, at_y), here in groups(x, y).items():
+        grid[rows[at_y], columns[at_x]] = value_at(here)
     return np.ma.masked_invalid(grid)
 
 
@@ -136,7 +160,7 @@ def draw_values(fig, axes, borders, z, grid):
     scale = fig.colorbar(axes.pcolormesh(*borders, grid, **look), ax=axes)
     if z.categories:
         scale.ax.minorticks_off()
-        scale.set_ticks(range(len(z.categories)), labels=z.categories)
+        scale.set_ticks(range(len(z.categories)), labels=[*map(plain, z.categories)])
 
 
 def draw_map(fig, axes, x, y, z, done):
@@ -168,10 +192,10 @@ def draw_columns(stem, sweep, columns):
     for axis in varied:
         if None in axis.cells:
             return f"No picture: some points have no {axis.name}."
-    if all(name not in by_name for name in sweep.columns):
-        return "No picture: all quantities are lists."
-    done = np.array([status == "done" for status in by_name["status"].cells])
     measured = [by_name[name] for name in sweep.columns if name in by_name]
+    if not 0 < len(measured) <= FEW:
+        return f"No picture: {len(measured)} quantities are no lists; up to {FEW} are drawn."
+    done = np.array([status == "done" for status in by_name["status"].cells])
     beside = min(2, len(measured))
     below = -(-len(measured) // beside)
     size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
@@ -192,21 +216,14 @@ def draw_columns(stem, sweep, columns):
     }
     note = "; ".join(text for text, applies in notes.items() if applies)
     fig.suptitle(plain(sweep.title) + (f" ({note})" if note else ""), fontsize=8)
+    space_labels(fig)
     save(fig, stem)
     return ""
 
 
-def remove(stem):
-    for suffix in (".png", ".pdf"):
-        Path(f"{stem}{suffix}").unlink(missing_ok=True)
-
-
 def draw(stem, sweep, columns):
-    """Replaces the former picture, or returns why there is none. The table is there already, so
-    whatever Matplotlib raises is a reason, too."""
-    remove(stem)
+    """Whatever Matplotlib raises is a reason for no picture: the table is there already."""
     try:
         return draw_columns(stem, sweep, columns)
     except Exception as error:
-        remove(stem)
         return f"No picture: {(str(error) or type(error).__name__).splitlines()[0]}"
