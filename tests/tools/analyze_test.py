@@ -98,25 +98,6 @@ def test_the_estimate_follows_the_slip_of_one_block():
     assert slip[-1] == pytest.approx(net, rel=0, abs=1e-12), "equal for all seeds"
 
 
-def test_modify_phi_prints_the_histogram_of_the_changed_blocks_before_and_after():
-    """A row is: from, to, count before, perhaps a bar, count after, perhaps a bar."""
-    output_of("load --config small.ini -o a.h5 --until 1.9e-4")
-    out = output_of(
-        "modify-phi a.h5 -o b.h5 --slipping pin --sigma-bar 0.2 --x-from 0.05 --x-to 0.09"
-    )
-    rows = [line.replace("#", "").split() for line in lines_of(out)]
-    printed = [row for row in rows if len(row) == 4 and row[2].isdigit() and row[3].isdigit()]
-
-    def counted(file):
-        blocks = json_of(f"analyze phi {file} --json --bins 20")
-        assert {(len(counts), sum(counts)) for counts in blocks["histogram"]} == {(20, 100)}
-        places = zip(blocks["x"], blocks["histogram"])
-        return [sum(bin) for bin in zip(*(counts for x, counts in places if 0.05 <= x <= 0.09))]
-
-    for column, file in ((2, "a.h5"), (3, "b.h5")):
-        assert [int(row[column]) for row in printed] == counted(file), out
-
-
 @pytest.fixture
 def event_I():
     """r.h5: the front starts at 0.015 m, and p changes by up to 3 % until it is slow."""

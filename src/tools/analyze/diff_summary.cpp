@@ -1,10 +1,8 @@
 #include "analyze/diff_summary.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "cli/text.hpp"
-#include "run/rebuild.hpp"
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/parameters_content.hpp"
 #include "rupture/checkpoint/provenance.hpp"
@@ -12,44 +10,23 @@
 namespace rupture::tools {
 namespace {
 
-/// A file on the way to another, and its time [s] where the steps tell.
-struct Ancestor {
-  std::string checksum;
-  std::optional<double> time;
-};
-
-/// When a step ended that began at `before`.
-std::optional<double> time_after(const ProvenanceEntry& step, std::optional<double> before) {
-  if (step.tool == "prepare") return 0.0;
-  if (step.tool == "modify-phi") return before;
-  const auto command = read_rebuild(step.rebuild);
-  const auto* const until = command ? command->find("until") : nullptr;
-  if (until == nullptr) return std::nullopt;
-  return std::strtod(until->value.c_str(), nullptr);
-}
-
-/// The file itself, before it that from which it was made, and so on.
-std::vector<Ancestor> ancestors(const ContentFile& file) {
+/// Checksums of the file itself, of that from which it was made before it, and so on.
+std::vector<std::string> ancestors(const ContentFile& file) {
+  std::vector<std::string> all = {file.checksum};
   const auto chain = read_provenance(file.content);
-  if (chain.empty()) return {};
-  std::vector<Ancestor> all = {{chain.front().parent_checksum, std::nullopt}};
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const bool last = i + 1 == chain.size();
-    all.push_back({last ? file.checksum : chain[i + 1].parent_checksum,
-                   time_after(chain[i], all.back().time)});
+  for (auto step = chain.rbegin(); step != chain.rend(); ++step) {
+    all.push_back(step->parent_checksum);
   }
-  std::ranges::reverse(all);
   return all;
 }
 
 /// The last file that both come from; null if there is none.
 Json ancestor_json(const ContentFile& a, const ContentFile& b) {
   const auto others = ancestors(b);
-  for (const auto& [checksum, time] : ancestors(a)) {
-    const auto found = std::ranges::find(others, checksum, &Ancestor::checksum);
-    if (checksum.empty() || found == others.end()) continue;
-    const auto known = time ? time : found->time;
-    return {{"checksum", checksum}, {"time", known ? Json(*known) : Json()}};
+  for (const std::string& checksum : ancestors(a)) {
+    if (!checksum.empty() && std::ranges::count(others, checksum) > 0) {
+      return {{"checksum", checksum}};
+    }
   }
   return nullptr;
 }
@@ -95,10 +72,7 @@ std::string parameters_line(const Json& parameters) {
 std::string ancestor_line(const Json& ancestor) {
   if (ancestor.is_null()) return "none that the steps of both name";
   const std::string checksum = ancestor["checksum"];
-  const Json& time = ancestor["time"];
-  return fmt::format(
-      "content checksum {}, {}", in_one_line(checksum.substr(0, 12)),
-      time.is_null() ? "time unknown" : fmt::format("t = {:.10g} s", time.get<double>()));
+  return "content checksum " + in_one_line(checksum.substr(0, 12));
 }
 
 std::string differences_line(const Json& report) {

@@ -59,42 +59,6 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
   return scale > 0.0 ? largest / scale : largest;
 }
 
-using Histogram = std::vector<std::int64_t>;
-
-void add_histogram(Histogram& sum, const BlockForces& block) {
-  const Histogram counts = histogram(block, static_cast<int>(sum.size()));
-  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += counts[n];
-}
-
-std::string bar(std::int64_t count, std::int64_t largest) {
-  constexpr std::int64_t kLongest = 24;
-  return std::string(static_cast<std::size_t>((count * kLongest + largest - 1) / largest), '#');
-}
-
-/// phi(f_T/f_thres) of the blocks that were changed, all together.
-std::string histograms_text(const ChangedPhi& phi) {
-  constexpr int kBins = 20;
-  Histogram old_counts(kBins), new_counts(kBins);
-  for (std::size_t i = 0; i < phi.before.size(); ++i) {
-    if (!phi.has_changed(i)) continue;
-    add_histogram(old_counts, phi.before[i]);
-    add_histogram(new_counts, phi.after[i]);
-  }
-  std::string text =
-      fmt::format("junctions of the {} changed blocks by the force they carry\n", phi.changed());
-  if (phi.changed() == 0) return text;
-  const auto largest = std::max(std::ranges::max(old_counts), std::ranges::max(new_counts));
-  text += "   f_T/f_thres   before                            after\n";
-  for (std::size_t n = 0; n < kBins; ++n) {
-    const double low = 2.0 * static_cast<double>(n) / kBins - 1.0;
-    const auto line =
-        fmt::format("  {:5.2f} {:6.2f} {:8} {:24} {:8} {}", low, low + 2.0 / kBins, old_counts[n],
-                    bar(old_counts[n], largest), new_counts[n], bar(new_counts[n], largest));
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 /// Throws if no block was changed: a copy under another name would pass for the new distribution.
 void refuse_unchanged(const Parameters& p, const ChangedPhi& phi, const PhiChange& change) {
   const auto& impossible = phi.impossible;
@@ -147,7 +111,7 @@ std::string text_of(const ChangedPhi& phi) {
     text += fmt::format("{:8.4f}   {:12.4f}   {:8.2f}   {:16.4f}   {:.4f}\n", b.x,
                         b.mean / b.f_thres, b.slipping, b.sigma_bar(), phi.after[i].sigma_bar());
   }
-  return text + histograms_text(phi);
+  return text;
 }
 
 Quantities row_of(const ImpossibleBlock& block) {
@@ -206,7 +170,7 @@ constinit const Command modify_phi_command = {
     "replace the distribution of junction forces in a region",
     "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
     "keeps the mean force of each block, so that the stress state stays the same. Prints the\n"
-    "width of each block's phi and the histogram of all changed blocks, before and after.",
+    "width of each block's phi before and after; rupture analyze phi has the histograms.",
     {add_change_options, add_checkpoint_options},
     modify_phi,
     [] { return with_files(quantities_of(ChangedPhi{})); }};
