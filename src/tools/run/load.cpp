@@ -1,6 +1,5 @@
 // load: the slider under its normal load, then driven from the side.
 #include "cli/profile.hpp"
-#include "run/ends.hpp"
 #include "run/plan.hpp"
 #include "run/rebuild.hpp"
 #include "rupture/dynamics/equilibrium.hpp"

@@ -11,6 +11,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+double arrived_below(const po::variables_map& values) {
+  if (values.count("until-quiet") + values.count("until-spanned") == 0) {
+    throw UsageError("--arrived-below needs --until-quiet or --until-spanned: give one of them");
+  }
+  const double limit = fraction(values, "arrived-below");
+  if (limit <= kRupturedFraction) return limit;
+  throw UsageError("--arrived-below must be at most {}, at which a block ruptures (got {})",
+                   kRupturedFraction, limit);
+}
+
 void refuse_without_record(const po::variables_map& values) {
   if (values.count("record") > 0) return;
   for (const char* option : {"record-every", "record-every-in-events", "crossings", "fields"}) {
@@ -68,7 +78,7 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   if (record) files.push_back(*record);
   check_distinct(files, plan.options.output, input);
   for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
-  if (record) check_record(*record, plan.start.parameters, if_record_exists(plan.options));
+  if (record) check_record(*record, plan.start.parameters, plan.options.if_record_exists());
 }
 
 /// Whether a block that has ruptured will rupture again is not known.
@@ -86,6 +96,43 @@ void refuse_ruptured(const EarlyEnd& early, const Checkpoint& start) {
 }
 
 }  // namespace
+
+void add_early_end_options(po::options_description& options) {
+  auto add = options.add_options();
+  add("until-quiet", seconds_or("5 t_R"),
+      "stop as soon as no junction has broken for T or an event has spanned the interface");
+  add("until-spanned", "stop as soon as an event has spanned the interface");
+  add("until-rupture-at", number("X", "m"),
+      "stop at the step at which the block nearest to X ruptures");
+  add("quiet-time", in_rebuild(seconds()),
+      "time without ruptures that separates events; default 5 t_R");
+  add("arrived-below", number("F"),
+      "with --until-quiet or --until-spanned: once an event has spanned the interface, wait until "
+      "less than this fraction of the junctions at the leading edge is pinned; default: 0.3, at "
+      "which a block ruptures");
+}
+
+bool may_end_early(const po::variables_map& values) {
+  return values.count("until-quiet") + values.count("until-spanned") +
+             values.count("until-rupture-at") >
+         0;
+}
+
+EarlyEnd early_end(const po::variables_map& values, const Parameters& p) {
+  EarlyEnd end;
+  end.spanned = values.count("until-spanned") > 0;
+  end.quiet_time = optional_non_negative(values, "quiet-time");
+  if (values.count("until-quiet") > 0) {
+    const auto quiet = values["until-quiet"].as<boost::optional<double>>();
+    end.quiet_steps = steps_in(p, quiet ? non_negative(*quiet, "until-quiet") : quiet_time(p, end));
+    end.spanned = true;
+  }
+  if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);
+  if (const auto x = optional_non_negative(values, "until-rupture-at")) {
+    end.rupture_of = block_at(p, *x, "until-rupture-at");
+  }
+  return end;
+}
 
 void add_run_options(po::options_description& options) {
   auto add = options.add_options();
@@ -158,6 +205,10 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
     plan.in_events = interval(p, clock, *options.in_events, "record-every-in-events");
   }
   if (options.fields) plan.fields_every = interval(p, clock, *options.fields, "fields");
+  plan.recorded_run = {start.run->id, plan.record_every.time};
+  if (plan.fields_every) plan.recorded_run.fields_every = plan.fields_every->time;
+  if (plan.in_events) plan.recorded_run.every_in_events = plan.in_events->time;
+  if (plan.in_events) plan.recorded_run.quiet_time = rule.early.quiet_time;
   plan.threads = options.threads.value_or(default_thread_count(p));
   plan.options = std::move(options);
   plan.start = std::move(start);
@@ -173,24 +224,12 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   return plan;
 }
 
-IfExists if_record_exists(const RunOptions& options) {
-  return options.resume ? IfExists::replace : options.output.if_exists;
-}
-
 std::string id_of_run(const Checkpoint& start) {
   const ProvenanceEntry& tool = start.provenance.back();
   const std::string text =
       fmt::format("rupture run 2\n{} {}\n{}\n{}\n", tool.tool, tool.parent_checksum,
                   content_checksum(parameters_content(start.parameters)), start.state.step);
   return sha256(std::as_bytes(std::span(text)));
-}
-
-RecordedRun recorded_run(const RunPlan& plan) {
-  RecordedRun run = {plan.start.run->id, plan.record_every.time};
-  if (plan.fields_every) run.fields_every = plan.fields_every->time;
-  if (plan.in_events) run.every_in_events = plan.in_events->time;
-  if (plan.in_events) run.quiet_time = plan.rule.early.quiet_time;
-  return run;
 }
 
 std::filesystem::path path_at(const std::filesystem::path& output, double t) {

@@ -9,6 +9,14 @@
 
 namespace rupture::tools {
 
+/// A run that ends early takes at most this long if nothing else was given [s].
+inline constexpr double kLongestRun = 10.0;
+
+void add_early_end_options(po::options_description& options);
+bool may_end_early(const po::variables_map& values);
+/// Throws UsageError.
+EarlyEnd early_end(const po::variables_map& values, const Parameters& parameters);
+
 struct RunOptions {
   OutputOptions output = {};                    ///< its checkpoints on the way are OUT-tT.h5
   std::vector<double> checkpoint_at = {};       ///< [s]
@@ -23,6 +31,9 @@ struct RunOptions {
   bool resume = false;                      ///< continue from what the same run left, if any
   bool is_dry = false;                      ///< only say what the run would need
   std::vector<std::string> arguments = {};  ///< argv, from which the resuming command is made
+
+  /// Whether to replace a record that is there already; that of another run was refused.
+  IfExists if_record_exists() const { return resume ? IfExists::replace : output.if_exists; }
 };
 
 void add_run_options(po::options_description& options);  ///< with those of outputs
@@ -37,7 +48,8 @@ struct RunPlan {
   Checkpoint start;                      ///< where the whole run begins,
   Checkpoint begin;                      ///< and this part of it: the same unless it is resumed
   std::filesystem::path resumed_from;    ///< the file of `begin`; empty if the run begins
-  Content recorded;                      ///< what its record holds up to there
+  RecordedRun recorded_run;              ///< by which its record is known
+  Content recorded;                      ///< what that holds up to there
   Interval record_every;                 ///< if there is a record
   std::optional<Interval> fields_every;  ///< if that has fields
   std::optional<Interval> in_events;     ///< if it is denser then
@@ -65,9 +77,6 @@ void find_run(RunPlan& plan);
 /// damaged one if it is resumed.
 IfExists if_checkpoint_exists(const RunPlan& plan, const std::filesystem::path& path);
 
-/// Whether to replace a record that is there already; that of another run was refused.
-IfExists if_record_exists(const RunOptions& options);
-
 /// Steps, disk and time that what is left of the run needs: a few lines for people, or one JSON
 /// object. The time is that of its steps, of which it takes some for half a second.
 std::string forecast(const RunPlan& plan);
@@ -90,8 +99,5 @@ std::filesystem::path path_at(const std::filesystem::path& output, double t);
 /// Name of the run that begins with `start`: SHA-256 of which tool began it, from which content,
 /// with which parameters and at which step. Every file of the run has it, resumed or not.
 std::string id_of_run(const Checkpoint& start);
-
-/// By which its record is known.
-RecordedRun recorded_run(const RunPlan& plan);
 
 }  // namespace rupture::tools

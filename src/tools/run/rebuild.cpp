@@ -115,7 +115,7 @@ std::vector<ProvenanceEntry> recorded_until(const RunPlan& plan, std::int64_t st
   std::string& command = chain.back().rebuild;
   command += fmt::format(" --record-every {}", plan.record_every.time);
   if (plan.in_events) command += fmt::format(" --record-every-in-events {}", plan.in_events->time);
-  if (const auto quiet = recorded_run(plan).quiet_time)
+  if (const auto quiet = plan.recorded_run.quiet_time)
     command += fmt::format(" --quiet-time {}", *quiet);
   if (const auto& levels = plan.options.crossings; !levels.empty()) {
     command += fmt::format(" --crossings {}", fmt::join(levels, ","));

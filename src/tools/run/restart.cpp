@@ -1,7 +1,6 @@
 // restart: continue a checkpoint, with the same parameters or with changed ones.
 
 #include "cli/profile.hpp"
-#include "run/ends.hpp"
 #include "run/plan.hpp"
 #include "run/rebuild.hpp"
 

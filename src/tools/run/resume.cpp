@@ -87,7 +87,7 @@ Content recorded(const fs::path& path, const RunPlan& plan) try {
   if (std::error_code loop; !fs::exists(path, loop)) fail_existing(path);
   RecordFile file = read_record_file(path);
   const Record& record = file.record;
-  if (record.run == recorded_run(plan) && record.crossing_levels == plan.options.crossings &&
+  if (record.run == plan.recorded_run && record.crossing_levels == plan.options.crossings &&
       (record.step.empty() || record.step.back() <= plan.rule.last_step)) {
     return std::move(file.content);
   }

@@ -111,11 +111,11 @@ class Run : private Observer {
     simulation_.resume_from(*begin_.run);
     if (!plan.options.record) return;
     const RecordParts parts = {plan.options.crossings,
-                               plan.fields_every ? Fields::record : Fields::omit,
-                               recorded_run(plan), plan.start.run->event};
+                               plan.fields_every ? Fields::record : Fields::omit, plan.recorded_run,
+                               plan.start.run->event};
     const std::int64_t last = plan.rule.last_step;
     writer_.emplace(*plan.options.record, begin_.parameters, recorded_until(plan, last),
-                    if_record_exists(plan.options), plan.recorded, parts);
+                    plan.options.if_record_exists(), plan.recorded, parts);
     recorder_.emplace(*writer_, plan);
   }
 
