@@ -113,8 +113,7 @@ Content checksummed_part(const Content& content) {
   return part;
 }
 
-std::size_t keep_common_rows(Content& a, Content& b) {
-  std::size_t cut = 0;
+void keep_common_rows(Content& a, Content& b) {
   for (auto& [path, dataset] : a) {
     const auto other = b.find(path);
     if (other == b.end() || !differ_in_rows_only(dataset, other->second)) continue;
@@ -122,9 +121,7 @@ std::size_t keep_common_rows(Content& a, Content& b) {
     Dataset& longer = dataset.shape[0] > common ? dataset : other->second;
     longer.bytes.resize(longer.bytes.size() / longer.shape[0] * common);
     longer.shape[0] = common;
-    ++cut;
   }
-  return cut;
 }
 
 Number number_at(const Dataset& dataset, std::uint64_t index) {

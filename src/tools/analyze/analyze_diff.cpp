@@ -115,12 +115,8 @@ std::string datasets_text(const Json& json, const Pair& pair) {
 }
 
 std::string report_text(const Json& json, const Pair& pair, bool all) {
-  const Json& cut = json["cut"];
-  const std::string rows =
-      cut > 0 ? fmt::format("arrays compared only in the rows that both have: {}\n", cut.dump())
-              : "";
-  if (json["equal"]) return rows + "equal\n";
-  return times_text(json["time"]) + rows + (all ? datasets_text(json, pair) : summary_text(json));
+  if (json["equal"]) return "equal\n";
+  return times_text(json["time"]) + (all ? datasets_text(json, pair) : summary_text(json));
 }
 
 int compare(const Parsed& parsed) {
@@ -131,13 +127,11 @@ int compare(const Parsed& parsed) {
     throw Failure("{} is {}, but {} is {}: give two files of the same kind", files[0],
                   kind_text(a.kind), files[1], kind_text(b.kind));
   }
-  Pair pair = {checksummed_part(a.content), checksummed_part(b.content)};
-  const std::size_t cut = parsed.values.count("common") > 0 ? keep_common_rows(pair.a, pair.b) : 0;
+  const Pair pair = {checksummed_part(a.content), checksummed_part(b.content)};
   const auto differences = diff(pair.a, pair.b);
   const auto added = std::ranges::count(differences, Change::only_in_b, &Difference::change);
   Json json = {{"equal", differences.empty()},
                {"datasets", std::ssize(pair.a) + added},  // that at least one of the files holds
-               {"cut", cut},
                {"time", times_json(a, b)},
                {"differences", Json::array()}};
   for (const auto& d : differences) json["differences"].push_back(difference_json(pair, d));
@@ -162,9 +156,7 @@ the first of them, and the largest difference: absolute, relative and in units i
 place (ULP), each with its place, [row][column], and the values in A and B.
 Exit code 0: equal, 1: different.)",
     {[](po::options_description& options) {
-       auto add = options.add_options();
-       add("all", "print each dataset that differs");
-       add("common", "if one record is longer, compare only the rows that both have");
+       options.add_options()("all", "print each dataset that differs");
      },
      add_json_option},
     compare};

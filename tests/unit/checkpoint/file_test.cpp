@@ -66,9 +66,4 @@ TEST_F(Damage, SLOW_of_a_record_at_any_bit_or_length_is_refused) {
   expect_all_damage_refused(slurp(file("r.h5")));
 }
 
-// Five minutes of processor time, so only on request (docs/tests.md), in the folder checkpoints/.
-TEST(ShippedCheckpoint, DISABLED_with_any_single_bit_flipped_or_truncated_is_refused) {
-  expect_all_damage_refused(slurp("fast-slow-fast.h5"));
-}
-
 }  // namespace rupture::testing
