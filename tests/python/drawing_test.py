@@ -5,7 +5,6 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
@@ -24,7 +23,7 @@ from rupture.tools.command_line import CLEAR, Failure
 from rupture.tools.map import LINE, Shown, draw_front_lines, figure_of, gaps_of, patches_of
 from rupture.tools.map import slip_speed, spread
 from rupture.tools.movie import SLOWEST, chosen_samples, front_at, values_of
-from rupture.tools.output import EXISTS, complete, progress
+from rupture.tools.output import EXISTS, complete
 
 
 def test_draws_all_or_an_event_or_a_time(small):
@@ -242,14 +241,6 @@ def test_all_streams_may_be_closed(small):
     command = f"{BIN}/xdmf small.h5 -o closed.xdmf <&- >&- 2>&-"
     assert [run("bash", "-c", command).returncode for _ in range(2)] == [3, 1]
     assert Path("closed.xdmf").read_text().startswith("<?xml")
-
-
-def test_progress_goes_to_a_terminal_alone(capsys):
-    for is_terminal in (False, True):
-        with mock.patch.object(sys.stderr, "isatty", return_value=is_terminal):
-            assert list(progress("ab", 2, "frame")) == ["a", "b"]
-        said = f"{CLEAR}frame 1 of 2{CLEAR}frame 2 of 2{CLEAR}" if is_terminal else ""
-        assert capsys.readouterr() == ("", said)
 
 
 def test_films_show_their_progress(small):

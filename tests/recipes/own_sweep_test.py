@@ -3,11 +3,9 @@
 
 import os
 import shutil
-import subprocess
 import time
 import unicodedata
 from pathlib import Path
-from unittest import mock
 
 import pytest
 
@@ -132,13 +130,6 @@ def test_a_list_of_a_file_is_a_number_of_a_shape(read):
     text = "[sweep]\n[commands]\nstrength = analyze strength {values} --json\n"
     rest = "[values]\nsigma-bar = 0, 0.1\n[quantities]\nm = strength.mu_bar_eff\n"
     assert read(text + rest).units["m"] == "1"
-
-
-def test_each_command_is_asked_once_however_many_points_there_are(read):
-    with mock.patch("rupture.programs.subprocess.Popen", side_effect=subprocess.Popen) as run:
-        read(SWEEP.replace(VALUES, "tau-bar = 0 to 0.3 in 20"))
-    asked = [call.args[0] for call in run.call_args_list]
-    assert len(asked) == 9 == len({tuple(words) for words in asked})
 
 
 def test_ten_thousand_points_are_checked_in_little_time(read):

@@ -170,10 +170,6 @@ def test_sections_say(page, name, text):
     assert text in section(page, name)
 
 
-def test_results_of_our_own_are_listed_below_the_claims(page):
-    assert "without verdict" in section(page, "fig2").partition("</table>")[2]
-
-
 def test_lists_every_judged_claim_in_order(page):
     ids = re.findall(r'<tr id="claim-([^"]+)"', page)
     assert ids == JUDGED
@@ -217,11 +213,6 @@ def test_files_of_others_are_not_replaced(project):
     project.page.unlink()
     page_of(project)
     page_of(project)
-
-
-def test_the_movie_comes_first_if_there_is_one(project):
-    spill(project.results / "fig2/movie.gif", "GIF")
-    assert '<img src="fig2/movie.gif"' in page_of(project).partition('id="gallery"')[0]
 
 
 @pytest.mark.parametrize("caption, shown", CAPTIONS)
@@ -343,34 +334,6 @@ def test_a_recipe_that_cannot_be_shown_is_left_out_with_a_sentence(
 def test_durations_are_rounded_before_minutes_are_counted():
     texts = ["9.9 s", "119 s", "2 min 0 s", "3 min 0 s"]
     assert [*map(report.duration, (9.9, 119.4, 119.6, 179.7))] == texts
-
-
-OTHERS = """paper = { authors = "A. Author", title = "On slip", journal = "J", url = "https://u.v" }
-[fig1.1A]
-says = "it is so"
-kind = "check"
-fixed = "today"
-accepted = "exactly"
-"""
-
-
-def test_another_paper_has_a_page_of_its_own(project, tmp_path, monkeypatch):
-    monkeypatch.setattr("claims.table.RECIPES", tmp_path / "recipes")
-    spill(tmp_path / "recipes/claims.toml", (ROOT / "recipes/claims.toml").read_bytes())
-    spill(tmp_path / "recipes/others/claims.toml", OTHERS)
-    spill(tmp_path / "recipes/others/fig1/commands.py", "")
-    claim = result("3A") | {"id": "others/1A", "kind": "check", "verdict": None}
-    spill(project.results / "others/fig1/claims.json", json.dumps(results_of([claim])))
-    project.seal()
-    assert project.report().returncode == 0
-    first, other = (project.results / name / "index.html" for name in (".", "others"))
-    text = other.read_text()
-    assert "<cite>On slip</cite>" in text and 'id="result-others/1A"' in text
-    assert "1 of 1 findings and checks" in text and 'href="fig1/claims.json"' in text
-    assert "event I" not in text and "of the first paper" not in text
-    assert "others/1A" not in first.read_text()
-    papers = json.loads((project.results / "ro-crate-metadata.json").read_text())["@graph"]
-    assert "https://u.v" in [one["@id"] for one in papers]
 
 
 def test_an_empty_page_says_what_to_run(tmp_path):

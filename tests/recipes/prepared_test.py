@@ -12,7 +12,6 @@ from conftest import approx
 from examples import METHODS, front
 from fig3 import decay_length, lengths, no_slip_force
 from measure.conventions import CONVENTIONS, PRIMARY
-from measure.front_map import IMPOSSIBLE, front_type
 
 DX = 3e-3  # [m]
 BLOCKS = 16
@@ -133,9 +132,6 @@ class TestNoSlipForce:
         of["criteria"] = {"skip_below_x": 0.02}
         arrested = of | {"t_rupture": [None]}
         assert [no_slip_force.slowest(one) for one in (of, arrested, None)] == [90, None, None]
-
-    def test_what_cannot_be_prepared_is_impossible(self):
-        assert front_type(None) == IMPOSSIBLE
 
 
 class TestStiffness:

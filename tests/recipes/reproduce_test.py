@@ -14,7 +14,6 @@ from conftest import ROOT, run
 from rupture import programs
 from rupture.commands import machine
 from rupture.errors import Failure
-from reproduce.checks import defines_layout, slowest_tests
 from report.written import MARKER
 from reproduce.processes import Processes, open_lock, take_lock
 from stand_ins import Project
@@ -234,21 +233,6 @@ def test_what_may_be_used_of_the_machine(folder, group, files, cores, megabytes)
     with patch.multiple(machine, OWN=folder / "own", ALL=folder):
         with patch("os.sched_getaffinity", lambda _: "045"), patch("os.sysconf", lambda _: 2**16):
             assert (machine.usable_cores(), machine.usable_megabytes()) == (cores, megabytes)
-
-
-def test_the_ten_that_took_longest_are_read_from_the_log_of_ctest():
-    passed = [f" {n}/12 Test  #{n}: t_{n} ......   Passed    {n}.50 sec" for n in range(1, 12)]
-    failed = "12/12 Test #40: Units/of.a/1 ...***Failed  Required regular expression  99.05 sec"
-    found = slowest_tests("\n".join([*passed, failed, "Total Test time (real) = 200 sec"]))
-    assert found[:2] == [(99.05, "Units/of.a/1"), (11.5, "t_11")]
-    assert len(found) == 10
-
-
-def test_another_version_does_not_judge_the_layout(project):
-    project.program("black", "echo black, 25.1.0")
-    with patch.dict(os.environ, {"CI": ""}), patch("reproduce.checks.say") as said:
-        assert not defines_layout(project.bin / "black")
-    said.assert_called_once()
 
 
 def test_commands_start_without_what_only_figures_need():
