@@ -26,11 +26,8 @@ ITEM = "<li><strong>A</strong>: it is slow; <code>front.csv</code>: how slow.</l
 # What sections say: their name, and the text, which may go over several lines.
 SAYS = [
     ("gallery", '<a class="verdict differs" href="#result-S1" aria-label="S1: differs"'),
-    ("fig3", 'href="fig3/fig3.png"'),
     ("fig3", 'href="fig3/fig3.pdf"'),
-    ("fig3", 'href="fig3/front.csv"'),
     ("fig3", 'href="fig3/claims.json"'),
-    ("fig3", 'src="fig3/fig3.png"'),
     ("fig3", 'alt="Title of fig3 &amp; &lt;more&gt;. The slow part takes ⟨t_R⟩."'),
     ("fig3", "<em>slow</em> part takes ⟨t<sub>R</sub>⟩"),
     ("fig3", ITEM),
@@ -41,10 +38,8 @@ SAYS = [
     ("fig2", '<th scope="row">list [mm]</th><td><span>1</span><span>none</span></td></tr>'),
     ("numbers", '<td data-label="median">8.4 (8 to 9) of 9 fronts</td>'),
     ("fig2", "primary: 7 of 20 (0.20 to 0.53)"),
-    ("fig2", "holds as it should"),
     ("fig2", "What the pipeline ran: 2 commands, 51 s"),
     ("fig2", "slip.peaks_of: 1 command, 1.0 s"),
-    ("fig3", "What the pipeline ran: 2 commands, 51 s"),
     ("fig3", 'href="fig3/jobs.jsonl"'),
     ("build", f"{POINTS + 4} commands, 10 min 52 s"),
     ("build", "the last of them on 2023-11-14 22:14 UTC"),
@@ -52,12 +47,9 @@ SAYS = [
     ("build", "rupture 0.9.0, commit abc: 1 command<"),
     ("fig4", f"analyze front: {POINTS} commands, 10 min 0 s"),
     ("fig4", "--echo &lt;b&gt;"),
-    ("fig2", "load.h5</code>"),
     ("fig2", "5eed5eed"),
     ("fig2", 'our own, without verdict: how near?</summary> <table class="numbers">'),
     ("fig2", '<th scope="row">off by [mm]</th><td><span>1.5</span></td></tr>'),
-    ("fig2", '<th scope="row">a</th><td><span>none</span></td></tr>'),
-    ("fig2", "not as expected: how near?</summary>"),
     ("fig2", "(expected: at most 1)</th><td><span>1.5</span></td>"),
 ]
 OWN = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "a": None}}

@@ -3,12 +3,9 @@
 import pytest
 
 from claims.claim import Claim, Share, write_claims
-from claims.judge import judged
 from claims.print_claims import print_claims
 from claims.released import released
-from claims.samples import Samples, Unit
 from fixture import spill
-from measure.conventions import PRIMARY
 
 
 def claim(name, *judged):
@@ -63,29 +60,6 @@ def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
     texts = {"3A": "0.4.0: reproduced, 86 of 91", "3C-inset": "0.4.0: depends"}
     assert released(tmp_path, [(build, 1) for build in builds]) == (texts if known else {})
     assert released(tmp_path / "elsewhere", []) == {}
-
-
-@pytest.mark.parametrize(
-    "count, reason",
-    [
-        (0, "only the case shown was judged, no other seeds"),
-        (1, "only 1 seed was judged; a verdict needs 5"),
-        (2, "only 2 seeds were judged; a verdict needs 5"),
-        (5, "holds"),
-    ],
-)
-def test_a_claim_of_few_samples_says_how_many(count, reason):
-    row: dict = {
-        "id": "x",
-        "kind": "finding",
-        "fixed": "",
-        "says": "",
-        "accepted": "",
-        "unit": "seed",
-    }
-    row["conditions"] = {"x": {"above": 2}}
-    samples = Samples({"": 3}, {PRIMARY: [Unit(None, 3)] * count})
-    assert judged(row, lambda x, _: {"x": x}, samples).reason == reason
 
 
 @pytest.mark.parametrize(
