@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from conftest import skip
-from endings_test import sleeping, wait_for
+from conftest import skip, wait_for
+from endings_test import sleeping
 from rupture import once
 from rupture.commands.workers import SCHEDULER, programs_of
 from rupture.errors import Failure, MachineFailure

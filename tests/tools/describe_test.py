@@ -79,11 +79,6 @@ def test_each_program_states_its_version(name):
     assert re.fullmatch(rf"{name} \(rupture .*, commit .*, {isa}\)\n", version)
 
 
-@pytest.mark.parametrize("name", PROGRAMS + COMMANDS)
-def test_a_mistyped_option_is_told_the_nearest(name):
-    refuses(f"{name} --versoin", 2, "unknown option '--versoin': did you mean '--version'?")
-
-
 def test_rupture_lists_every_program_with_its_summary():
     tools, text = json_of("rupture --describe")["tools"], output_of("rupture help")
     assert {"analyze", "reproduce", *PROGRAMS, *PYTHON} == {tool["name"] for tool in tools}
