@@ -4,13 +4,12 @@ import os
 import re
 import signal
 import subprocess
-import sys
 from unittest.mock import Mock, patch
 
 import pytest
 
 import reproduce.project
-from conftest import ROOT, run
+from conftest import ROOT
 from rupture import programs
 from rupture.commands import machine
 from rupture.errors import Failure
@@ -221,9 +220,3 @@ def test_what_may_be_used_of_the_machine(folder, group, files, cores, megabytes)
     with patch.multiple(machine, OWN=folder / "own", ALL=folder):
         with patch("os.sched_getaffinity", lambda _: "045"), patch("os.sysconf", lambda _: 2**16):
             assert (machine.usable_cores(), machine.usable_megabytes()) == (cores, megabytes)
-
-
-def test_commands_start_without_what_only_figures_need():
-    code = "import sys, reproduce.compute; print({'h5py', 'numpy', 'scipy'} & sys.modules.keys())"
-    paths = {"PYTHONPATH": f"{ROOT}/recipes:{ROOT}/python"}
-    assert run(sys.executable, "-c", code, env=os.environ | paths).stdout == "set()\n"
