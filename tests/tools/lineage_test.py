@@ -58,14 +58,6 @@ def test_the_script_checks_every_file(two_steps):
         assert f"{file} has another content checksum than" in done.err
 
 
-def test_a_file_without_a_command_can_be_the_start(two_steps):
-    put("a.h5", 0, "rebuild", "")
-    output_of("restart a.h5 -o new.h5 --for 1e-5")
-    done = run_script(script_for("new.h5", "--from", str(Path("a.h5").absolute())))
-    assert done.code == 0, done.err
-    assert checksum_of("again/rebuilt.h5") == checksum_of("new.h5")
-
-
 def test_no_control_characters_are_printed():
     output_of("load --config small.ini -o a.h5")
     lines = len(lines_of(output_of("analyze show a.h5")))
