@@ -125,13 +125,15 @@ class Tiny(Project):
 
 @pytest.fixture(name="crashed", scope="module")
 def computed_after_a_crash(tmp_path_factory):
-    """A project with all results, and the call before, in which a program crashed."""
+    """A project with all results; the call before, in which a program crashed; and what `clean`
+    said then."""
     tiny = Tiny(tmp_path_factory.mktemp("tiny"))
     tiny.write("bin/die")
     done = tiny.call(*WORDS)
+    cleaned = tiny.call("clean", "--unneeded")
     (tiny.bin / "die").unlink()
     tiny.computed()
-    return tiny, done
+    return tiny, done, cleaned
 
 
 @pytest.fixture(name="tiny")
@@ -140,10 +142,11 @@ def copy_of_it(crashed, tmp_path):
 
 
 def test_a_crash_is_said_and_the_same_command_goes_on(crashed):
-    first, done = crashed
+    first, done, cleaned = crashed
     assert done.returncode == 1
     assert "tiny: 'prepare --tau-bar 0.1 -o start.h5' ended with -9" in done.stderr
     assert done.stderr.endswith("tiny could not be computed; the messages above say why\n")
+    assert "tiny was not finished, and what it needs would go: run it first" in cleaned.stderr
     assert first.runs() == 2
 
 
@@ -321,7 +324,6 @@ def test_what_nobody_needs_any_more_goes_alone(tiny):
     gone = before - {*tiny.results()}
     assert len(gone) == 3 and tiny.computed() == []
     tiny.replace("recipes/tiny/commands.py", "(0.2,)", "(0.1, 0.2)")
-    assert "run it first" in tiny.call("clean", "--unneeded").stderr
     assert tiny.computed() == sorted([PREPARED, STRESS, TWICE, "tiny"])
 
 
