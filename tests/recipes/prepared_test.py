@@ -56,6 +56,11 @@ def record(rupture_of):
 class TestOneFront:
     RUPTURES: list = [float(n) for n in range(BLOCKS)]
 
+    def test_a_profile_is_that_of_the_largest_force_before_the_rupture(self):
+        _, time, tau = record(self.RUPTURES)
+        excess = decay_length.profile(4, self.RUPTURES, time, tau)
+        np.testing.assert_allclose(excess, np.exp(-np.arange(9.0)))
+
     def test_a_block_that_ruptures_before_the_one_behind_has_no_profile(self):
         _, time, tau = record(self.RUPTURES)
         ruptures = [*self.RUPTURES[:4], 2.0, *self.RUPTURES[5:]]
