@@ -59,6 +59,15 @@ def started(command, part, pieces=0, **options):
     return it
 
 
+def wait_for(condition, within=60):
+    """For so many seconds at most; what it finds."""
+    end = time.monotonic() + within
+    while not (met := condition()):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+    return met
+
+
 @contextlib.contextmanager
 def stopped(process):
     """It stands still within, all threads of it, and goes on afterwards."""

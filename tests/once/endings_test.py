@@ -8,6 +8,8 @@ import time
 
 import pytest
 
+from conftest import wait_for
+
 pytest_plugins = "laboratory"
 
 
@@ -63,13 +65,6 @@ def sleeping(lab):
     """Programs that are there still."""
     lines = os.popen("ps -e -o args").read().splitlines()
     return [line for line in lines if f"{lab.folder}/bin/analyze" in line]
-
-
-def wait_for(condition):
-    end = time.monotonic() + 20
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.005)
 
 
 def test_kills_at_any_moment_leave_results_of_an_uninterrupted_call(lab):

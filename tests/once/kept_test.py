@@ -40,14 +40,6 @@ def test_files_go_with_the_call_and_are_made_again(lab):
     ]
 
 
-def test_kept_files_stay(lab):
-    front(keep=["a.h5"])
-    lab.call()
-    front(words="--x 1", keep=["a.h5"])
-    assert [*lab.stored("*.a.h5").values()] == [b"load -o a.h5"]
-    assert lab.ran() == ["load -o a.h5", "analyze front a.h5", "analyze front a.h5 --x 1"]
-
-
 @pytest.mark.parametrize(
     "keep_it",
     [lambda: run("load -o a.h5", keep=["a.h5"]), lambda: keep(run("load -o a.h5")["a.h5"])],
@@ -82,14 +74,6 @@ def test_what_is_named_outside_is_made_once_for_all_points(lab):
     each(point, range(1))
     assert lab.ran().count("load --seed 2 -o a.h5") == 1
     assert len(files_of(lab)) == 1  # that of outside
-
-
-def test_what_only_points_name_is_made_in_each_unless_it_is_kept(lab):
-    lab.call(cores=1)
-    each(lambda n: front(words=f"--x {n}"), range(3))
-    assert lab.ran().count("load -o a.h5") == 3
-    each(lambda n: front(line="load --seed 2 -o a.h5", words=f"--x {n}", keep=["a.h5"]), range(3))
-    assert lab.ran().count("load --seed 2 -o a.h5") == 1
 
 
 def test_a_file_stays_while_it_is_read(lab):
@@ -208,11 +192,6 @@ def test_a_link_inside_is_refused_a_store_may_be_one(lab):
     os.symlink("../target", "elsewhere/ab")
     with pytest.raises(Failure, match="ab is a link"):
         lab.call()
-
-
-def test_a_second_call_is_refused(lab):
-    with pytest.raises(Failure, match="another call uses .*store: wait"):
-        once.Store(lab.store)
 
 
 # --- the disk

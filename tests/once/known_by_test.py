@@ -1,8 +1,6 @@
 """What a command is known by, and that nothing runs which nobody needs."""
 
-import json
 import shutil
-import subprocess
 import time
 
 import pytest
@@ -41,11 +39,6 @@ def test_a_command_is_done_once(lab):
     assert lab.ran() == ["analyze stress"]
 
 
-def test_other_words_are_another_command(lab):
-    assert run("analyze stress --x 1").said != run("analyze stress --x '1 2'").said
-    assert lab.ran() == ["analyze stress --x 1", "analyze stress --x 1 2"]
-
-
 @pytest.mark.parametrize("word", ["{}", "--profile {}", "--profile={}"])
 def test_a_users_file_counts_by_its_bytes_wherever_it_is(lab, word):
     command = f"analyze phi {word.format(lab.write('table.csv', 'a'))}"
@@ -57,18 +50,6 @@ def test_a_users_file_counts_by_its_bytes_wherever_it_is(lab, word):
     elsewhere = f"analyze phi {word.format(lab.folder / 'elsewhere/table.csv')}"
     assert run(command) == run(elsewhere)
     assert lab.ran() == [f"analyze phi {word.format('table.csv')}"] * 2
-
-
-def test_a_word_is_a_path_relative_to_the_recipe(lab):
-    lab.write("recipes/table.csv", "a")
-    lab.write("table.csv", "not this")
-    recipe = lab.module(
-        "recipes/own",
-        "from rupture.once import run\ndef it(): return run('analyze phi table.csv').read",
-    )
-    assert recipe.it() == "<a>"
-    assert run("analyze phi own.csv").read == ""  # there is none
-    lab.write("recipes/own.csv", "b")
 
 
 def test_a_folder_may_be_moved(lab):
@@ -98,17 +79,6 @@ def test_a_changed_program_counts_its_version_does_not(lab):
     same = digest_at(str(BIN / "analyze"), stamp_of(BIN / "analyze"))
     assert digest_without_first_byte_of(b".rupture_version") == same
     assert digest_without_first_byte_of(b".text") != same
-
-
-def test_a_result_says_when_and_by_which_build_of_the_programs(lab, monkeypatch):
-    monkeypatch.setenv("RUPTURE_BIN", str(BIN))
-    before = int(time.time())
-    run("prepare --tau-bar 0.3 -o start.h5")["start.h5"].__fspath__()
-    [stored] = lab.stored("*.json").values()
-    known = json.loads(stored)
-    said = subprocess.run([BIN / "prepare", "--version"], capture_output=True, text=True).stdout
-    assert f"({known['build']}, " in said
-    assert before <= known["started"] <= time.time()
 
 
 def test_the_words_that_are_typed_are_those_that_run(lab):
@@ -214,12 +184,6 @@ def test_a_measurement_is_known_by_its_code_and_what_it_imports(lab):
     assert measure(lab, helpers="HALF = 0.25\n") == first / 2  # what it needs is made again
     assert measure(lab, NUMBERS + "OTHER = 1\n") == first
     assert lab.ran() == ["load -o a.h5"] * 2
-
-
-def test_a_changed_measurement_simulates_nothing_whose_file_is_kept(lab):
-    first = measure(lab, keep=["a.h5"])
-    assert measure(lab, helpers="HALF = 0.25\n", keep=["a.h5"]) == first / 2
-    assert lab.ran() == ["load -o a.h5"]
 
 
 def test_a_changed_program_measures_again(lab):

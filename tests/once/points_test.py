@@ -57,21 +57,6 @@ def test_points_within_points_go_first_so_that_few_are_open_with_their_files(lab
     assert sum(others for _, others in each(point, range(12))) < 12 * 2
 
 
-@pytest.mark.parametrize("shape", [(3, 1, 5), (1, 7, 1), (2, 2, 2, 2), (1, 0, 3)])
-@pytest.mark.parametrize("cores", [1, 2, 5])
-def test_points_of_any_shape_end(lab, shape, cores):
-    lab.call(cores=cores)
-    meter = Meter()
-
-    def count(*rest):
-        if not rest:
-            return meter.work(0.001)
-        return sum(one for _, one in each(lambda _: count(*rest[1:]), range(rest[0])))
-
-    assert count(*shape) == shape[0] * shape[1] * shape[2] * (*shape, 1)[3]
-    assert meter.most <= cores
-
-
 def test_who_waits_for_a_command_lets_others_work(lab):
     done: list = []
 
@@ -83,16 +68,6 @@ def test_who_waits_for_a_command_lets_others_work(lab):
     each(point, [0, 1, 2, *range(3, 30)])
     assert {*done[:-3]} == {*range(3, 30)}, "while one works, another core is idle"
     assert lab.ran() == ["analyze stress --sleep 0.5"]
-
-
-def test_an_uneven_point_leaves_no_core_idle(lab):
-    meter, since = Meter(), time.monotonic()
-
-    def point(n):
-        each(lambda m: meter.work(0.2 if m == 1 else 0.01), range(3))
-
-    each(point, range(4))
-    assert time.monotonic() - since < meter.done / 2 + 0.2
 
 
 def test_many_may_wait_for_one(lab):
@@ -108,11 +83,6 @@ def test_who_waits_for_points_helps(lab):
     call.start()
     call.join(20)
     assert not call.is_alive()
-
-
-def test_points_are_few_values_each_and_come_in_their_order(lab):
-    assert each(lambda a, b: a + b, [(1, 2), (3, 4)]) == [((1, 2), 3), ((3, 4), 7)]
-    assert each(lambda a: a, iter("ab")) == [(("a",), "a"), (("b",), "b")]
 
 
 @pytest.mark.parametrize(
@@ -164,16 +134,6 @@ def test_a_refusal_is_a_result(lab, code):
     assert lab.ran() == [f"load --refuse {code} -o a.h5"]
 
 
-def test_points_that_are_refused_are_listed_and_others_go_on(lab):
-    found = each(lambda n: refused() if n == 1 else n, range(3))
-    assert found == [((0,), 0), ((2,), 2)]
-    assert found.refused == [((1,), "load: it cannot")]
-
-
-def test_that_files_differ_is_a_report(lab):
-    assert run("analyze diff --differ").said == "analyze diff --differ"
-
-
 @pytest.mark.parametrize("kind", ["crash", "full"])
 def test_no_result_ends_the_call_and_the_next_one_tries_again(lab, kind):
     def point(n):
@@ -192,21 +152,6 @@ def test_no_result_ends_the_call_and_the_next_one_tries_again(lab, kind):
     os.remove(lab.folder / kind)
     assert [run(line).said for line in began] == began
     assert lab.ran() == began[1:]
-
-
-def test_a_mistake_in_a_point_is_raised_as_it_is(lab):
-    with pytest.raises(ZeroDivisionError):
-        each(lambda n: each(lambda m: 1 / m, [0]), [1, 2, 3])
-    lab.call(cores=1)
-    begun: list = []
-
-    def point(n):
-        begun.append(n)
-        return begun[9]
-
-    with pytest.raises(IndexError):
-        each(point, range(9))
-    assert begun == [0]
 
 
 # --- known points
@@ -295,20 +240,6 @@ def test_a_dry_run_shows_commands_and_runs_none(lab, capfd):
         "# each: 1 of 2 points wait for what a report will say",
         "cp x y",
     ]
-
-
-def test_a_dry_run_says_how_many_points_wait_for_a_report(lab, capfd):
-    lab.call(dry_run=True)
-
-    def point(n):
-        each(front, [n])
-        return run(f"analyze phi --x {run(f'analyze stress --x {n}').said}")
-
-    for _ in range(2):
-        each(lambda n: point(n) if n else n, range(3), "fronts")
-    said = capfd.readouterr().out.splitlines()
-    assert said[-1] == "# fronts: 2 of 3 points wait for what a report will say"
-    assert len([line for line in said if line[0] == "#"]) == 1
 
 
 def test_a_script_of_the_commands_gives_the_same_files(lab, monkeypatch):

@@ -6,13 +6,12 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
 
-from conftest import skip
-from endings_test import sleeping, wait_for
+from conftest import skip, wait_for
+from endings_test import sleeping
 from rupture import once
 from rupture.commands.workers import SCHEDULER, programs_of
 from rupture.errors import Failure, MachineFailure
@@ -130,18 +129,6 @@ def test_programs_end_with_their_call(lab, workers, number):
     assert number == signal.SIGKILL or said.endswith("goes on from there\n")
     assert "Traceback" not in said
     wait_for(lambda: not sleeping(lab))
-
-
-def test_a_command_costs_little_beyond_its_program(lab, workers):
-    lab.call(cores=1)
-    times = []
-    for n in range(60):
-        since = time.monotonic()
-        subprocess.run([lab.folder / "bin/analyze", "stress"], stdout=subprocess.DEVNULL)
-        alone = time.monotonic()
-        run(f"analyze stress --x {n}")
-        times.append(time.monotonic() - alone - (alone - since))
-    assert sorted(times)[15] < 0.02
 
 
 def test_a_killed_scheduler_ends_the_call_and_the_next_one_goes_on(lab, workers):

@@ -5,7 +5,6 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
@@ -24,11 +23,11 @@ from rupture.tools.command_line import CLEAR, Failure
 from rupture.tools.map import LINE, Shown, draw_front_lines, figure_of, gaps_of, patches_of
 from rupture.tools.map import slip_speed, spread
 from rupture.tools.movie import SLOWEST, chosen_samples, front_at, values_of
-from rupture.tools.output import EXISTS, complete, progress
+from rupture.tools.output import EXISTS, complete
 
 
-def test_draws_all_or_an_event_or_a_time(small):
-    choices = (), ("--event", "first-spanning"), ("--from", "0.5ms", "--to", 1e-3)
+def test_draws_an_event_or_a_time(small):
+    choices = ("--event", "first-spanning"), ("--from", "0.5ms", "--to", 1e-3)
     for number, choice in enumerate(choices):
         draws("map", "small-record.h5", "-o", f"map-{number}.png", *choice)
         with Image.open(f"map-{number}.png") as picture:
@@ -155,12 +154,6 @@ def test_the_slip_speed_is_that_of_the_blocks(small):
     assert np.allclose(slip_speed(record, rows)[1], speed, rtol=1e-9)
 
 
-def test_writes_as_many_frames_as_asked_for(small):
-    draws("movie", "small-record.h5", "-o", "x.gif", "--frames", 3)
-    with Image.open("x.gif") as film:
-        assert film.n_frames == 3
-
-
 @pytest.mark.skipif(not shutil.which("ffmpeg"), reason="ffmpeg is not installed")
 def test_writes_a_video(small):
     draws("movie", "small-record.h5", "-o", "x.mp4", "--frames", 2, "--event", 0)
@@ -208,8 +201,7 @@ def test_draws_a_record_that_is_growing(folder):
     command = [BIN / "load", "-q", "--config", SMALL, "--until", "100", "-o", "g.h5"]
     with started([*command, "--record", "g-record.h5", "--record-every", "2e-5"], part) as it:
         try:
-            for name in ("early.png", "late.svg"):
-                draws("map", part, "-o", name)
+            draws("map", part, "-o", "late.svg")
             assert it.poll() is None
         finally:
             it.kill()
@@ -244,18 +236,12 @@ def test_all_streams_may_be_closed(small):
     assert Path("closed.xdmf").read_text().startswith("<?xml")
 
 
-def test_progress_goes_to_a_terminal_alone(capsys):
-    for is_terminal in (False, True):
-        with mock.patch.object(sys.stderr, "isatty", return_value=is_terminal):
-            assert list(progress("ab", 2, "frame")) == ["a", "b"]
-        said = f"{CLEAR}frame 1 of 2{CLEAR}frame 2 of 2{CLEAR}" if is_terminal else ""
-        assert capsys.readouterr() == ("", said)
-
-
-def test_films_show_their_progress(small):
+def test_films_have_the_frames_that_were_asked_for_and_show_their_progress(small):
     film = "movie small-record.h5 -o x.gif -f --frames 2"
     shown = [CLEAR.removeprefix("\r") + what for what in ("front 1 of 1", "frame 2 of 2")]
     assert {*shown} <= {*on_terminal(film, 80)}
+    with Image.open("x.gif") as pictures:
+        assert pictures.n_frames == 2
     assert on_terminal(f"{film} --quiet", 80) == [""]
 
 

@@ -203,12 +203,6 @@ def test_errors_are_failures_whatever_was_given(folder):
     assert repr(rupture.Result("none.h5", None)) == "<rupture.Result 'none.h5': not there>"
 
 
-def test_dir_names_what_there_is():
-    names = "Checkpoint Failure File Record Result __version__ analyze open run verify"
-    assert dir(rupture) == names.split()
-    assert all(hasattr(rupture, name) for name in dir(rupture))
-
-
 def test_sets_values_along_x_parts_and_what_parameters_returned(folder):
     odd: dict = {
         "junctions.mu_s": np.linspace(0.4, 0.5, 17),

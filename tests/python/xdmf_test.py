@@ -50,7 +50,7 @@ def holds(grid, name, expected):
 
 
 @pytest.mark.parametrize("kind", [vtkXdmfReader, vtkXdmf3Reader])
-@pytest.mark.parametrize("number", [1, 2])
+@pytest.mark.parametrize("number", [2])
 def test_values_are_those_of_the_checkpoints(series, kind, number):
     checkpoint = rupture.open(series[number])
     reader = kind()  # Xdmf3's arrays live as long as it does
@@ -76,14 +76,6 @@ def block_named(block, time):
     arrays = found.GetPointData()
     names = [arrays.GetArrayName(n) for n in range(arrays.GetNumberOfArrays())]
     return {name: vtk_to_numpy(arrays.GetArray(name)) for name in names}
-
-
-def test_blocks_have_their_names_at_all_times(series):
-    for path in series:
-        checkpoint = rupture.open(path)
-        slider = block_named("slider", checkpoint.time)
-        assert np.array_equal(slider["u_x"], checkpoint["u_x"].ravel())
-        assert len(block_named("interface", checkpoint.time)["tau"]) == 17
 
 
 def test_fields_of_a_record_are_a_series(folder):

@@ -19,7 +19,7 @@ from rupture.commands.making import Making
 import maps
 from claims.recipes import read_readme, recipe_names
 from claims.samples import Sampling
-from conftest import ROOT, approx, run
+from conftest import ROOT, run
 
 PROGRAMS = ("load", "prepare", "restart", "modify-phi", "analyze")
 FILES = ("--force", "--quiet", "--json", "-o", "--record", "--record-every")
@@ -167,22 +167,6 @@ def test_each_command_by_hand_is_one_of_a_recipe(name, calls):
         program, options = call = parse(words)
         only_by_hand = " ".join([program, *options]) in ONLY_BY_HAND
         assert only_by_hand or any(matches(call, other) for other in calls), " ".join(words)
-
-
-@mark.parametrize(
-    "name, power, scaled, reference",
-    [  # what goes with a parameter that varies, at 1 of its unit
-        ("junctions.t_R", 1, "junctions.delta_t_R", 0.3),
-        ("slider.E", 2, "junctions.kappa", 39.2e9 / 3e9**2),
-        ("slider.E", -0.5, "numerics.dt", 2e-7 * 3e9**0.5),
-    ],
-)
-def test_parameters_vary_together(calls, name, power, scaled, reference):
-    of_calls = [options for _, options in calls if f"--{name}" in options]
-    found = [(of[f"--{name}"][0], of[f"--{scaled}"][0]) for of in of_calls]
-    pairs = [(float(v), float(other)) for v, other in found if "$" not in v + other]
-    expected = [(v, approx(reference * v**power, rel=1e-9, abs=0)) for v, _ in pairs]
-    assert pairs and pairs == expected
 
 
 @mark.parametrize(

@@ -98,17 +98,3 @@ class TestLattice:
         assert found["without slow slip", 0.285, "fast from"] == [0.1, 0.1, 0.1, 0.2]
         row = ["without slow slip", 0, "not arrested from", 0.2, 0.15, 0.125, "not computed"]
         assert next(continuum.rows(found)) == [*row, approx(0.1), approx(0.0015)]
-
-    def test_edges_are_sought_from_where_the_coarser_ones_lead(self, monkeypatch):
-        asked = []
-
-        def edges_on(N_x, setting, sigma_bar, guesses):
-            asked.append((N_x, approx(guesses["slow"]), guesses["fast"]))
-            return {"slow": 0.1 + 5.6 / N_x, "fast": 0.2}
-
-        monkeypatch.setattr(lattice, "edges_on", edges_on)
-        lattice.edges_of("reference", 0)
-        fine = [0.1 + 5.6 / N_x for N_x in (57, 113)]
-        moved = fine[1] + (fine[1] - fine[0]) / 2
-        assert asked == [(57, 0.1, 0.1), (113, fine[0], 0.2), (225, moved, 0.2)]
-        assert len(lattice.edges_of("no-slow-slip", 0)) == 4

@@ -10,7 +10,6 @@ from conftest import approx
 from event_numbers import numbers_of_events
 from fig2.from_scratch import choose
 from fig2.most_like import candidates, ratios_of, unlikeness
-from measure.ways import WAYS, PRIMARY
 
 C_S, L = 1000.0, 0.1
 
@@ -41,13 +40,6 @@ class TestChoice:
             choose([event(0.1)])
 
 
-class TestConventions:
-    def test_each_differs_from_the_primary_one_in_one_way(self):
-        assert WAYS[PRIMARY] == ""
-        others = [options for name, options in WAYS.items() if name != PRIMARY]
-        assert {options.count("--") for options in others} == {1}
-
-
 class TestNumbers:
     def test_an_event_that_creeps_is_not_in_the_set(self):
         """0.4 counted one of 26 ms at 1.27 m/s, which had never been fast."""
@@ -72,11 +64,6 @@ class TestNumbers:
 
 
 class TestMostLike:
-    def test_the_papers_own_numbers_are_one(self):
-        for name, ratio in ratios_of(event()).items():
-            assert ratio == approx(1), name
-        assert unlikeness(ratios_of(event())) == approx(0)
-
     def test_each_of_the_five_counts_by_its_logarithm(self):
         for changed in (
             *({"fast_before": C_S / 6}, {"slowest": C_S / 50}, {"duration": 2e-3}),

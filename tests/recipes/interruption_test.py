@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from conftest import BIN
 from measure.tables import read_rows
-from stand_ins import SWEEP, WITHIN, Project, wait_for
+from conftest import BIN, wait_for
+from stand_ins import SWEEP, WITHIN, Project
 
 # Dies like a process without memory if there is a file `die` in the project's folder.
 ANALYZE = f"""case "$*" in *quantities*|*--describe*) ;; *) [ ! -e ROOT/die ] || kill -9 $$;; esac

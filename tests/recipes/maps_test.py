@@ -146,10 +146,6 @@ class TestSeveralMaps:
                 found = robustness.order_of_all(dict(enumerate(of)), way)
                 assert tuple(found.values()) == expected
 
-    def test_counts_types_and_what_is_out_of_order(self):
-        found = robustness.order(map_of("slow", "arrested", "fast", "fast"), PRIMARY)
-        assert [*found.values()] == [1, 1, 2, 1]
-
 
 class TestOrderInWords:
     def test_medians_ascend_from_arrested_over_slow_to_fast(self):

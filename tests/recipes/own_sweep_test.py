@@ -1,13 +1,10 @@
 """A user's sweep: what its file says, and what is refused before anything is computed
 (recipes/sweeps)."""
 
-import os
 import shutil
-import subprocess
 import time
 import unicodedata
 from pathlib import Path
-from unittest import mock
 
 import pytest
 
@@ -83,12 +80,10 @@ INNOCENT = [  # what of SWEEP is replaced by what, and words of the first comman
     ),
     (VALUES, f"{VALUES}\nn = 2\nseed = {{n}} ** 2", "--seed 4"),
     (VALUES, "tau-bar = -0.1", "--tau-bar -0.1"),
-    ("{values}", "--tau-bar={tau-bar} -o t.h5 --seed {seed}", "--seed 3"),
-    (VALUES, f"{VALUES}\nprofile = 'a b.csv'", None),
 ]
 
 
-@pytest.mark.parametrize("part, new, expected", INNOCENT[:-2])
+@pytest.mark.parametrize("part, new, expected", INNOCENT)
 def test_what_is_innocent_is_taken(read, part, new, expected):
     found = words(read(SWEEP.replace(part, new, 1)))
     wanted = expected.split("|") if "|" in expected else expected.split(" ")
@@ -134,13 +129,6 @@ def test_a_list_of_a_file_is_a_number_of_a_shape(read):
     assert read(text + rest).units["m"] == "1"
 
 
-def test_each_command_is_asked_once_however_many_points_there_are(read):
-    with mock.patch("rupture.programs.subprocess.Popen", side_effect=subprocess.Popen) as run:
-        read(SWEEP.replace(VALUES, "tau-bar = 0 to 0.3 in 20"))
-    asked = [call.args[0] for call in run.call_args_list]
-    assert len(asked) == 9 == len({tuple(words) for words in asked})
-
-
 def test_ten_thousand_points_are_checked_in_little_time(read):
     begun = time.process_time()
     sweep = read(SWEEP.replace(VALUES, "tau-bar = 0 to 0.3 in 100\nseed = 1 to 100"))
@@ -155,7 +143,6 @@ REFUSED = [
     # what of SWEEP, is replaced by what, sentence
     ("type = front.type", "", "needs a section .quantities."),
     ("[sweep]", "[sweep]\nseeds = 1, 2", "\\[sweep\\] has no key 'seeds'"),
-    ("[sweep]", "[sweep]\nlike = x.ini", "\\[sweep\\] has no key 'like'"),
     ("[sweep]", "[chain]", "there is no section 'chain'"),
     ("[sweep]", "[sweep]\ntitle =", "line 2: 'title' in .sweep. has no value"),
     ("[sweep]", "[sweep]\ntitle = a\ntitle = b", "line 3: 'title' in .sweep. is there twice"),
@@ -166,24 +153,19 @@ REFUSED = [
     (VALUES, "tau-bar = 0.1\u2028", "line 8: there is a control character, U.2028"),
     ("[sweep]", "[sweep]\npoints = p.csv", "p.csv: No such file"),
     ("[sweep]", "[sweep]\npoints = /dev/zero", "/dev/zero: it is no file of up to"),
-    ("[sweep]", "[sweep]\npoints = pipe", "pipe: it is no file of up to"),
     ("[sweep]", f"[sweep]\ntitle = {'x' * 201}", "longer than 200 letters"),
     (VALUES, f"{VALUES}\n=cmd|calc!A0 = 1", "expected NAME = VALUE"),
     ("{values}", "{values} --seed {@SUM}", "there is no '@SUM'"),
     (VALUES, f"{VALUES}\n@SUM = 1", "'@SUM' cannot be the heading of a column"),
-    (VALUES, f"{VALUES}\nstatus = 1", "'status' cannot be the heading of a column"),
     ("[sweep]", "[sweep]\npoints = empty.csv", "there are no points"),
     ("[sweep]", "[sweep]\npoints = one.csv", "'tau-bar' is a value and a column of the table"),
-    ("[sweep]", "[sweep]\npoints = e in run: events.events", "No such file"),
     ("[sweep]", "[sweep]\nbase = no.h5", "no.h5 does not exist"),
     ("[sweep]", "[sweep]\nbase = bad.h5", "the base cannot be used: .*bad.h5"),
     ("[sweep]", "[sweep]\nkeep = x.h5", "line 2: no command writes x.h5"),
     ("[sweep]", "[sweep]\nkeep = ../s.h5", "line 2: '../s.h5' is not the name of a file in"),
     ("[sweep]", "[sweep]\naxis = lg", "an axis is log or linear, not 'lg'"),
-    *(
-        ("[sweep]", f"[sweep]\n{need}", f"'{need}': give a")
-        for need in ("memory = 10", "memory = 0 MB", "memory = .", "threads = 0", "threads = 1.5")
-    ),
+    ("[sweep]", "[sweep]\nmemory = 0 MB", "'memory = 0 MB': give a"),
+    ("[sweep]", "[sweep]\nthreads = 1.5", "'threads = 1.5': give a"),
     # commands
     ("s.h5 --until-quiet", "{base} --until-quiet", "line 4: {base} needs base = FILE"),
     ("--until-quiet", "--fro 1", "restart has no option --fro: did you mean '--for'"),
@@ -192,7 +174,6 @@ REFUSED = [
     ("front r.h5", "frnt r.h5", "unknown command 'frnt': did you mean 'front'"),
     ("front r.h5", "front t.h5", "there is no t.h5: no command before it writes it"),
     ("= prepare", "= prepar", "no program 'prepar': did you mean 'prepare'"),
-    ("= prepare", "= map", "no program 'map'"),
     ("= prepare", "= ../x/prepare", "no program '../x/prepare'"),
     ("= prepare", "= {values} prepare", "no program 'values'"),
     ("{values}", "--tau-bar 1", "no command has {values}, nor {tau-bar}"),
@@ -200,7 +181,6 @@ REFUSED = [
     ("{values}", "{valus}", "'{valus}': there is no 'valus'; there are tau-bar"),
     ("{values}", "{values", "a brace is missing"),
     ("{values}", "{values} 'x", "cannot be split into words"),
-    ("{values}", "{values} --seed {round(5, -9999999999)}", "there is no 'round"),
     (
         "{values}",
         "{values} --seed {stress.F_T}",
@@ -212,69 +192,49 @@ REFUSED = [
     ("-o e.h5", "-o s.h5", "two commands write s.h5"),
     ("-o s.h5", "-o s.h5 -qf", "write -qf as single options"),
     ("-o s.h5", "-o s.h5 --", "write -- as single options"),
-    *(
-        ("-o s.h5", new, "needs the name of a file in the point's own folder")
-        for new in ("-o /abs/s.h5", "--output=../s.h5", "-o .s.h5", "-o ''", "-o {tau-bar}/s.h5")
-    ),
+    ("-o s.h5", "--output=../s.h5", "needs the name of a file in the point's own folder"),
+    ("-o s.h5", "-o {tau-bar}/s.h5", "needs the name of a file in the point's own folder"),
     ("-o s.h5", "-o s.h5 --config x", "must not have --config"),
-    *(
-        ("-o e.h5", f"-o e.h5 {option}", f"must not have {option}: a point starts in an empty")
-        for option in ("-f", "--force", "--resume")
-    ),
-    *(
-        ("-o e.h5", f"-o e.h5 {option}", f"must not have {option}: it computes nothing")
-        for option in ("--dry-run", "--help", "-h", "--version", "--describe")
-    ),
+    ("-o e.h5", "-o e.h5 -f", "must not have -f: a point starts in an empty"),
+    ("-o e.h5", "-o e.h5 --dry-run", "must not have --dry-run: it computes nothing"),
     ("front r.h5", "front r.h5 --also '--stencil 7'", "must not have --also"),
     ("{values}", "{values} --tau-bar=0.1", "cannot be specified more than once|tau-bar twice"),
     # values
     (VALUES, "", "there are no points"),
-    (VALUES, f"{VALUES}\ndriving.v = 1", "prepare has no option --driving.v"),
     (VALUES, f"{VALUES}\ntaubar = 1", "prepare has no option --taubar: did you mean '--tau-bar'"),
     (VALUES, f"{VALUES}\nstart = 1", "'start' is the name of a value, too"),
     (VALUES, "tau-bar = 0.1, high, 0.2", r"tau-bar must be a finite number \(got 'high'"),
-    *(
-        (VALUES, f"{VALUES}\njunctions.t_R = 2ms, {text}", r"must be a finite number in s \(got '")
-        for text in ("1mm", "nan", "1e999s")
-    ),
-    *(
-        (VALUES, f"{VALUES}\n{same}", "two points have the same values")
-        for same in ("seed = 1, 1.0", "sigma-bar = 1e-4, 0.0001", "driving.V = 1mm/s, 1e-3m/s")
-    ),
+    (VALUES, f"{VALUES}\njunctions.t_R = 2ms, nan", r"must be a finite number in s \(got '"),
+    (VALUES, f"{VALUES}\njunctions.t_R = 2ms, 1mm", r"must be a finite number in s \(got '"),
+    (VALUES, f"{VALUES}\ndriving.V = 1mm/s, 1e-3m/s", "two points have the same values"),
     (VALUES, f"{VALUES}\njunctions.t_R = 2ms, 4", "is unclear: 4 needs a unit, too"),
     (VALUES, f"{VALUES}\njunctions.law = reference, other", r"decaying or distance \(got 'other'"),
     (VALUES, f"{VALUES}\nshape = uniform, bel", r"must be uniform or bell \(got 'bel'\)"),
     (VALUES, f"{VALUES}\njunctions.mu_s = 0.5 from 1 to x", "a place of junctions.mu_s must be"),
     # values that would be options
     ("-o s.h5", "-o s.h5 {n}", "the value '-f' would be an option"),
-    ("-o s.h5", "-o s.h5 {f}", "the value '--force' would be an option"),
     ("-o s.h5", "-o s.h5 --{n2}", "must not have --force"),
     ("-o s.h5", "-o s.h5 --shape {n}", "the value '-f' would be an option"),
     ("-o s.h5", "-o s.h5 --seed '{words}'", "must be a finite number .got '2 --force'"),
     ("-o s.h5", "-o {words}", "needs the name of a file"),
+    (VALUES, f"{VALUES}\nseed = 1, 2, --force", "the value '--force' would be an option"),
     # quantities
     ("front.type", "front.slow.sped", "no 'front.slow.sped': did you mean 'front.slow.speed'"),
-    ("front.type", "front.type.x", "no 'front.type.x'"),
     ("front.type", "frnt.type", "no 'frnt': did you mean 'front'"),
     ("front.type", "loading.F_T.0", ".commands. has no 'loading'; it has start, restart"),
     ("front.type", "start.F_T", "'start' does not run analyze"),
-    ("front.type", "front", "'front' is no quantity"),
     ("front.type", "1000 * front.slow.duration", "is no quantity, such as front.slow.speed"),
     ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s is in 'm/s'"),
-    *(
-        ("type = ", f"{name} = ", "cannot be the heading")
-        for name in ("v/c_s", "status", "tau-bar", "@SUM(1)", "element")
-    ),
+    ("type = ", "v/c_s = ", "cannot be the heading"),
     ("type = ", "\u00b5 = front.c_s\n\u03bc = ", "'\u00b5' in .quantities. is there twice"),
 ]
-OTHERS = "n = -f\nf = --force\nn2 = force\nwords = 2 --force\n"
+OTHERS = "n = -f\nn2 = force\nwords = 2 --force\n"
 
 
 @pytest.mark.parametrize("part, new, sentence", REFUSED)
 def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sentence):
     Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
     Path("empty.csv").touch()
-    os.mkfifo("pipe")
     Path("one.csv").write_text("tau-bar\n0.1\n")
     assert part in SWEEP
     text = SWEEP.replace(part, new, 1)
@@ -284,13 +244,7 @@ def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sente
         read(text)
 
 
-def test_the_words_of_every_point_are_checked(read):
-    text = SWEEP.replace(VALUES, f"{VALUES}\nseed = 1, 2, --force")
-    with pytest.raises(UsageError, match="line 3: .*the value '--force' would be an option"):
-        read(text)
-
-
-@pytest.mark.parametrize("name", [".sweep", "a\x1bb", "a\nb", "n" * 101])
+@pytest.mark.parametrize("name", [".sweep", "a\nb"])
 def test_names_that_results_cannot_have_are_refused(read, name):
     with pytest.raises(UsageError, match="rename the file|control character"):
         read(SWEEP, name)

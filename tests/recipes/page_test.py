@@ -28,11 +28,8 @@ ITEM = "<li><strong>A</strong>: it is slow; <code>front.csv</code>: how slow.</l
 # What sections say: their name, and the text, which may go over several lines.
 SAYS = [
     ("gallery", '<a class="verdict differs" href="#result-S1" aria-label="S1: differs"'),
-    ("fig3", 'href="fig3/fig3.png"'),
     ("fig3", 'href="fig3/fig3.pdf"'),
-    ("fig3", 'href="fig3/front.csv"'),
     ("fig3", 'href="fig3/claims.json"'),
-    ("fig3", 'src="fig3/fig3.png"'),
     ("fig3", 'alt="Title of fig3 &amp; &lt;more&gt;. The slow part takes ⟨t_R⟩."'),
     ("fig3", "<em>slow</em> part takes ⟨t<sub>R</sub>⟩"),
     ("fig3", ITEM),
@@ -43,10 +40,8 @@ SAYS = [
     ("fig2", '<th scope="row">list [mm]</th><td><span>1</span><span>none</span></td></tr>'),
     ("numbers", '<td data-label="median">8.4 (8 to 9) of 9 fronts</td>'),
     ("fig2", "primary: 7 of 20 (0.20 to 0.53)"),
-    ("fig2", "holds as it should"),
     ("fig2", "What the pipeline ran: 2 commands, 51 s"),
     ("fig2", "slip.peaks_of: 1 command, 1.0 s"),
-    ("fig3", "What the pipeline ran: 2 commands, 51 s"),
     ("fig3", 'href="fig3/jobs.jsonl"'),
     ("build", f"{POINTS + 4} commands, 10 min 52 s"),
     ("build", "the last of them on 2023-11-14 22:14 UTC"),
@@ -54,12 +49,9 @@ SAYS = [
     ("build", "rupture 0.9.0, commit abc: 1 command<"),
     ("fig4", f"analyze front: {POINTS} commands, 10 min 0 s"),
     ("fig4", "--echo &lt;b&gt;"),
-    ("fig2", "load.h5</code>"),
     ("fig2", "5eed5eed"),
     ("fig2", 'our own, without verdict: how near?</summary> <table class="numbers">'),
     ("fig2", '<th scope="row">off by [mm]</th><td><span>1.5</span></td></tr>'),
-    ("fig2", '<th scope="row">a</th><td><span>none</span></td></tr>'),
-    ("fig2", "not as expected: how near?</summary>"),
     ("fig2", "(expected: at most 1)</th><td><span>1.5</span></td>"),
 ]
 OWN = {"id": "near", "question": "how near?", "measured": {"off by [mm]": 1.5, "a": None}}
@@ -97,7 +89,7 @@ CLAIM = result("3A")
 REFUSED = [  # a file of fig3, what is wrong in it, and what is said
     *(
         ("claims.json", text, "claims.json is not a table of claims (")
-        for text in ("[{", "7", "[1]", '{"schema": 2, "claims": [{"id": "3A"}]}')
+        for text in ("[{", '{"schema": 2, "claims": [{"id": "3A"}]}')
     ),
     ("claims.json", '{"schema": 1}', "its schema is 1, not 3"),
     ("claims.json", [CLAIM | {"verdict": "partly"}], "claim 3A: not a verdict: 'partly'"),
@@ -172,10 +164,6 @@ def test_sections_say(page, name, text):
     assert text in section(page, name)
 
 
-def test_results_of_our_own_are_listed_below_the_claims(page):
-    assert "without verdict" in section(page, "fig2").partition("</table>")[2]
-
-
 def test_lists_every_judged_claim_in_order(page):
     ids = re.findall(r'<tr id="claim-([^"]+)"', page)
     assert ids == JUDGED
@@ -219,11 +207,6 @@ def test_files_of_others_are_not_replaced(project):
     project.page.unlink()
     page_of(project)
     page_of(project)
-
-
-def test_the_movie_comes_first_if_there_is_one(project):
-    spill(project.results / "fig2/movie.gif", "GIF")
-    assert '<img src="fig2/movie.gif"' in page_of(project).partition('id="gallery"')[0]
 
 
 @pytest.mark.parametrize("caption, shown", CAPTIONS)
@@ -345,34 +328,6 @@ def test_a_recipe_that_cannot_be_shown_is_left_out_with_a_sentence(
 def test_durations_are_rounded_before_minutes_are_counted():
     texts = ["9.9 s", "119 s", "2 min 0 s", "3 min 0 s"]
     assert [*map(report.duration, (9.9, 119.4, 119.6, 179.7))] == texts
-
-
-OTHERS = """paper = { authors = "A. Author", title = "On slip", journal = "J", url = "https://u.v" }
-[fig1.1A]
-says = "it is so"
-kind = "check"
-fixed = "today"
-accepted = "exactly"
-"""
-
-
-def test_another_paper_has_a_page_of_its_own(project, tmp_path, monkeypatch):
-    monkeypatch.setattr("claims.table.RECIPES", tmp_path / "recipes")
-    spill(tmp_path / "recipes/claims.toml", (ROOT / "recipes/claims.toml").read_bytes())
-    spill(tmp_path / "recipes/others/claims.toml", OTHERS)
-    spill(tmp_path / "recipes/others/fig1/commands.py", "")
-    claim = result("3A") | {"id": "others/1A", "kind": "check", "verdict": None}
-    spill(project.results / "others/fig1/claims.json", json.dumps(results_of([claim])))
-    project.seal()
-    assert project.report().returncode == 0
-    first, other = (project.results / name / "index.html" for name in (".", "others"))
-    text = other.read_text()
-    assert "<cite>On slip</cite>" in text and 'id="result-others/1A"' in text
-    assert "1 of 1 findings and checks" in text and 'href="fig1/claims.json"' in text
-    assert "event I" not in text and "of the first paper" not in text
-    assert "others/1A" not in first.read_text()
-    papers = json.loads((project.results / "ro-crate-metadata.json").read_text())["@graph"]
-    assert "https://u.v" in [one["@id"] for one in papers]
 
 
 def test_a_place_in_a_caption_that_names_nothing_is_an_error():

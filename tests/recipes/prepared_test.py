@@ -12,7 +12,6 @@ from conftest import approx
 from examples import METHODS, front
 from fig3 import decay_length, lengths, no_slip_force
 from measure.ways import WAYS, PRIMARY
-from measure.front_map import IMPOSSIBLE, front_type
 
 DX = 3e-3  # [m]
 BLOCKS = 16
@@ -56,10 +55,6 @@ def record(rupture_of):
 
 class TestOneFront:
     RUPTURES: list = [float(n) for n in range(BLOCKS)]
-
-    def test_tips_are_in_the_slow_stretch_with_all_blocks_of_the_profile_ahead(self):
-        front, *_ = record(self.RUPTURES)
-        assert decay_length.tips(front) == [3, 4, 5, 6, 7]  # 7 + 8 is the last block
 
     def test_a_profile_is_that_of_the_largest_force_before_the_rupture(self):
         _, time, tau = record(self.RUPTURES)
@@ -133,9 +128,6 @@ class TestNoSlipForce:
         of["criteria"] = {"skip_below_x": 0.02}
         arrested = of | {"t_rupture": [None]}
         assert [no_slip_force.slowest(one) for one in (of, arrested, None)] == [90, None, None]
-
-    def test_what_cannot_be_prepared_is_impossible(self):
-        assert front_type(None) == IMPOSSIBLE
 
 
 class TestStiffness:

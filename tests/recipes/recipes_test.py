@@ -1,14 +1,12 @@
-"""./reproduce.sh NAME: what is computed when something changes, fails, crashes or is interrupted;
-and that commands typed by hand give the same files (recipes/reproduce)."""
+"""./reproduce.sh NAME: what is computed when something changes, fails or crashes (interruptions:
+interruption_test.py); and that commands typed by hand give the same files (recipes/reproduce)."""
 
 import copy
 import json
 import os
 import re
 import shutil
-import signal
 import subprocess
-from pathlib import Path
 
 import pytest
 
@@ -16,7 +14,7 @@ from claims.table import table
 from conftest import BIN, ROOT, run
 from fixture import png
 from report.written import seal
-from stand_ins import WITHIN, Project, wait_for
+from stand_ins import Project
 
 FILES = {
     "commands.py": '''"""Two runs, and what is measured of them and of a file."""
@@ -75,7 +73,6 @@ def make(results):
 ''',
 }
 PREPARE = f"""case "$*" in *"0.2 "*) ;; *) [ ! -e "${{0%/*}}/die" ] || kill -9 $$;; esac
-[ ! -e "${{0%/*}}/wait" ] || {{ echo $$ >> "${{0%/*}}/running"; exec sleep 300; }}
 echo "$@" >> "${{0%/*}}/calls"
 exec {BIN}/prepare "$@"
 """
@@ -128,13 +125,15 @@ class Tiny(Project):
 
 @pytest.fixture(name="crashed", scope="module")
 def computed_after_a_crash(tmp_path_factory):
-    """A project with all results, and the call before, in which a program crashed."""
+    """A project with all results; the call before, in which a program crashed; and what `clean`
+    said then."""
     tiny = Tiny(tmp_path_factory.mktemp("tiny"))
     tiny.write("bin/die")
     done = tiny.call(*WORDS)
+    cleaned = tiny.call("clean", "--unneeded")
     (tiny.bin / "die").unlink()
     tiny.computed()
-    return tiny, done
+    return tiny, done, cleaned
 
 
 @pytest.fixture(name="tiny")
@@ -143,23 +142,12 @@ def copy_of_it(crashed, tmp_path):
 
 
 def test_a_crash_is_said_and_the_same_command_goes_on(crashed):
-    first, done = crashed
+    first, done, cleaned = crashed
     assert done.returncode == 1
     assert "tiny: 'prepare --tau-bar 0.1 -o start.h5' ended with -9" in done.stderr
     assert done.stderr.endswith("tiny could not be computed; the messages above say why\n")
+    assert "tiny was not finished, and what it needs would go: run it first" in cleaned.stderr
     assert first.runs() == 2
-
-
-def test_commands_are_noted_for_the_report_and_the_crate(crashed):
-    root = crashed[0].root
-    jobs = [
-        json.loads(line) for line in (root / "results/tiny/jobs.jsonl").read_text().splitlines()
-    ]
-    assert [job["command"] for job in jobs if "phi" in job["command"]] == [
-        "rupture analyze phi fast-only.h5"
-    ]
-    crate = json.loads((root / "results/ro-crate-metadata.json").read_text())
-    assert "#run-tiny" in {each["@id"] for each in crate["@graph"]}
 
 
 def test_a_mistake_in_one_figure_does_not_end_others(tiny):
@@ -322,27 +310,6 @@ def test_the_commands_behind_it_give_the_same_files_by_hand(tiny):
         if not path.is_symlink()
     )
     assert len(found) == 2 and found == wanted
-
-
-# --- interrupted -------------------------------------------------------------------------------
-
-
-def test_a_signal_ends_all_that_runs_and_the_same_command_goes_on(tiny):
-    tiny.replace("recipes/tiny/commands.py", "(0.1, 0.2)", "(0.3, 0.4, 0.5)")
-    tiny.write("bin/wait")
-    process = tiny.start(*WORDS)
-    running = tiny.bin / "running"
-    wait_for(lambda: running.exists() and len(running.read_text().split()) == 2)
-    second = tiny.call(*WORDS)
-    assert (second.returncode, second.stderr.count("\n")) == (1, 1)
-    assert "another ./reproduce.sh is running in this folder; wait until" in second.stderr
-    process.send_signal(signal.SIGTERM)
-    assert process.wait(WITHIN) == 143
-    assert process.stderr.read().endswith("and the same call goes on from there\n")
-    wait_for(lambda: not any(Path(f"/proc/{n}").exists() for n in running.read_text().split()))
-    assert "run it first" in tiny.call("clean", "--unneeded").stderr
-    (tiny.bin / "wait").unlink()
-    assert tiny.computed().count(PREPARED) == 3
 
 
 # --- clean -------------------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 import os
 import shutil
 import subprocess
-import time
 from pathlib import Path
 
 from conftest import BIN, ROOT
@@ -18,14 +17,6 @@ tau-bar = 0.1, 0.2
 [quantities]
 F_T = stress.F_T
 """
-
-
-def wait_for(condition, within=WITHIN):
-    end = time.monotonic() + within
-    while not (met := condition()):
-        assert time.monotonic() < end
-        time.sleep(0.05)
-    return met
 
 
 class Project:

@@ -69,24 +69,16 @@ def test_reports_are_filled_in_and_the_words_that_are_checked_run(rows):
         assert Path("store", row["a.h5"].removeprefix("store/")).exists() and row["point"]
 
 
-def test_a_value_is_one_word_whatever_is_in_it(rows):
-    text = '"a \'b\' ""c"" $(x); y.h5"'
-    Path("p.csv").write_text(f"file\n{text}\n")
-    shutil.copyfile("in.h5", "a 'b' \"c\" $(x); y.h5")
+@pytest.mark.parametrize("name, word", [("a 'b' \"c\" $(x); y.h5",) * 2, ("x/--force", "_--force")])
+def test_a_value_is_one_word_and_no_option_whatever_is_in_it(rows, name, word):
+    Path("x").mkdir()
+    quoted = name.replace('"', '""')
+    Path("p.csv").write_text(f'file\n"{quoted}"\n')
+    shutil.copyfile("in.h5", name)
     head = "[sweep]\npoints = p.csv\n[commands]\n"
     found, ran = rows("f = analyze front {file}\n", "[quantities]\ntype = f.type\n", head)
-    assert ran == [["analyze", "front", "a 'b' \"c\" $(x); y.h5", "--json"]]
+    assert ran == [["analyze", "front", word, "--json"]]
     assert [row["status"] for row in found] == ["done"]
-
-
-def test_a_file_is_no_option_whatever_its_name(rows):
-    Path("x").mkdir()
-    shutil.copyfile("in.h5", "x/--force")
-    head = "[sweep]\n[commands]\n"
-    _, ran = rows(
-        "f = analyze front {n}\n", "[values]\nn = x/--force\n[quantities]\nt = f.type\n", head
-    )
-    assert ran == [["analyze", "front", "_--force", "--json"]]
 
 
 NULLS = "f = analyze front a.h5\nb = restart a.h5 --until {f.t_rupture.1} -o b.h5\n"

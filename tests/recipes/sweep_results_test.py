@@ -2,7 +2,6 @@
 (recipes/sweeps/table.py, picture.py)."""
 
 import time
-from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
 
@@ -12,7 +11,7 @@ import numpy as np
 import pytest
 
 from measure.tables import read_rows
-from rupture.figures import figure, save
+from rupture.figures import figure
 from sweeps.picture import as_typed, cells, draw, draw_line, edges, middle, space_labels
 from sweeps.sweep import find
 from sweeps.table import Column, apart, columns_of, summary, write_csv, write_hdf5
@@ -204,17 +203,6 @@ def test_what_cannot_be_drawn_is_one_line(folder, error, why):
     with mock.patch("sweeps.picture.draw_columns", side_effect=error):
         said = draw("a", *sweep_of({V: ["1", "2"]}, *TWO))
     assert (said, [*folder.iterdir()]) == (f"No picture: {why}", [])
-
-
-def test_a_picture_is_written_whole_or_not_at_all(tmp_path):
-    def half(path, **_):
-        Path(path).write_text("half")
-        raise KeyboardInterrupt
-
-    (picture := tmp_path / "a.png").write_text("former")
-    with pytest.raises(KeyboardInterrupt):
-        save(mock.Mock(savefig=half), tmp_path / "a")
-    assert ([*tmp_path.iterdir()], picture.read_text()) == ([picture], "former")
 
 
 def test_other_numbers_of_values_have_no_picture(folder):

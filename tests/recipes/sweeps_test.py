@@ -15,13 +15,8 @@ from sweeps.values import LIMIT, calculated, combined, rows_in, values_of
         ("0 to 0.3 by 0.1", "0 0.1 0.2 0.3"),  # 0.3/0.1 is below 3
         ("0 to 0.3 in 4", "0 0.1 0.2 0.3"),
         ("5 to 1 by -2", "5 3 1"),
-        ("2 to 2 in 1", "2"),
-        ("1 to 3", "1 2 3"),
-        ("0 to 1 by 0.4", "0 0.4 0.8"),
         ("1e-3, 0.002,bell", "1e-3 0.002 bell"),
-        ("0mm/s, 1mm/s,2mm/s", "0mm/s 1mm/s 2mm/s"),
         ("1 to 3 ms", "1ms 2ms 3ms"),
-        ("0 to 2mm/s by 1 mm/s", "0mm/s 1mm/s 2mm/s"),
         ("1um to 3µm by 1μm", "1μm 2μm 3μm"),
     ],
 )
@@ -65,16 +60,11 @@ def test_wrong_lists_and_ranges(sentence):
     "text, number, unit",
     [
         ("10ms", 0.01, "s"),
-        ("0.8 s", 0.8, "s"),
         ("-.5e1", -5, ""),
-        ("3GPa", 3e9, "Pa"),
         ("75.6g", 0.0756, "kg"),
-        ("1kg", 1, "kg"),
         ("4kN/m", 4000, "N/m"),
         ("0.3µm", 0.3e-6, "m"),
         ("1mm", 1e-3, "m"),
-        ("1m", 1, "m"),
-        ("2mm/s", 0.002, "m/s"),
         ("1e999", float("inf"), ""),
         ("1e99999999ms", float("inf"), "s"),
     ],
@@ -121,13 +111,9 @@ REFUSED = {  # no finite real number, or no arithmetic; none of them takes time
     "({x} - 10) ** 0.5": "no formula|not a finite real number",
     "{x} * 1e308 * 10": "not a finite real number",
     "{x} +": "no formula",
-    "{x}.real": "it may have",
     "{x} // 2": "it may have",
     "sqrt({x}, 2)": "it may have",
-    "round({x}, -9999999999)": "it may have",
     "__import__('os') * {x}": "it may have",
-    "'{x}' * 10": "it may have",
-    "{x}({x})": "it may have",
     f"{'-' * 150}{{x}} +": "no formula",
     f"{'(' * 95}{{x}}{')' * 95}{{x}}": "",
     f"{'1' * 150}x * {{x}}": "it may have",
@@ -168,7 +154,7 @@ def test_every_combination_is_a_point_and_the_last_name_varies_fastest(lists, po
     assert in_short(combined(lists, [{}])) == points.split()
 
 
-TABLES = [  # a table (tests/tools/csv.txt has more), and its points with two seeds
+TABLES = [  # a table (csv_test.py has more), and its points with two seeds
     ("a, b\n1, 2\n3,4\n", "seed1a1b2 seed2a1b2 seed1a3b4 seed2a3b4"),
     (
         "driving.V [mm/s],status,v [m/s]\n0.4,done,2\n",
@@ -185,10 +171,7 @@ def test_points_of_a_table(folder, text, points):
     assert [one.replace(" ", "_") for one in found] == points.split()
 
 
-WRONG_TABLES = [
-    (b"a,b\n0.1\n", "p.csv, line 2: it needs as many cells as the first line"),
-    (b"a,b\n0.1,1\n\n0.2,1,5\n", "p.csv, line 4: it needs as many cells"),
-    (b",a\n0.1,1\n", "p.csv: each column needs a heading of its own"),
+WRONG_TABLES = [  # csv_test.py has more
     (b"a\n\xff\n", "p.csv: it is not UTF-8 text"),
     *(
         (f"a\n1{c}2\n".encode(), "p.csv, line .*control character")

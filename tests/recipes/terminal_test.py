@@ -3,12 +3,9 @@
 import pytest
 
 from claims.claim import Claim, Share, write_claims
-from claims.judge import judged
 from claims.print_claims import print_claims
 from claims.released import released
-from claims.samples import Samples, Sample
 from fixture import spill
-from measure.ways import PRIMARY
 
 
 def claim(name, *judged):
@@ -63,28 +60,6 @@ def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
     texts = {"3A": "0.4.0: reproduced, 86 of 91", "3C-inset": "0.4.0: depends"}
     assert released(tmp_path, [(build, 1) for build in builds]) == (texts if known else {})
     assert released(tmp_path / "elsewhere", []) == {}
-
-
-@pytest.mark.parametrize(
-    "count, reason",
-    [
-        (0, "no sample has been computed yet"),
-        (4, "no sample has been computed yet"),
-        (5, "holds"),
-    ],
-)
-def test_a_claim_of_few_seeds_has_no_verdict(count, reason):
-    row: dict = {
-        "id": "x",
-        "kind": "finding",
-        "fixed": "",
-        "says": "",
-        "accepted": "",
-        "share_of": "seeds",
-    }
-    row["conditions"] = {"x": {"above": 2}}
-    samples = Samples({"": 3}, {PRIMARY: [Sample(None, 3)] * count})
-    assert judged(row, lambda x, _: {"x": x}, samples).reason == reason
 
 
 @pytest.mark.parametrize(

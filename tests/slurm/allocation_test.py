@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-import stand_ins
+import conftest
 from cluster import missing_programs, processes_with, running_cluster
 from conftest import BIN as PROGRAMS, ROOT, skip
 from stand_ins import Project
@@ -25,7 +25,7 @@ if not importlib.util.find_spec("distributed"):
 CORES = 2
 FIGURES = ("figS3", "estimate")  # in seconds
 WITHIN = 600  # [s] a run, however slow the machine
-wait_for = functools.partial(stand_ins.wait_for, within=WITHIN)
+wait_for = functools.partial(conftest.wait_for, within=WITHIN)
 
 
 class Copy(Project):

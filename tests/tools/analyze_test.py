@@ -63,15 +63,6 @@ def seven_events():
     )
 
 
-def test_an_event_is_named_by_its_number(seven_events):
-    events = json_of("analyze events r.h5 --json")["events"]
-    assert len(events) == 7
-    for n, event in enumerate(events):
-        assert event["number"] == n
-        front = json_of(f"analyze front r.h5 --json --event {n}")
-        assert (front["t_rupture"], front["type"]) == (event["t_rupture"], event["type"])
-
-
 def test_events_as_csv_have_what_the_json_has(seven_events):
     how = "--slow-below 3"
     head, *rows = csv.reader(lines_of(output_of(f"analyze events r.h5 --csv {how}")))

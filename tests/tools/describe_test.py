@@ -79,42 +79,6 @@ def test_each_program_states_its_version(name):
     assert re.fullmatch(rf"{name} \(rupture .*, commit .*, {isa}\)\n", version)
 
 
-@pytest.mark.parametrize("name", PROGRAMS + COMMANDS)
-def test_a_mistyped_option_is_told_the_nearest(name):
-    refuses(f"{name} --versoin", 2, "unknown option '--versoin': did you mean '--version'?")
-
-
-def test_what_restart_does():
-    restart = json_of("restart --describe")
-    options = options_of(restart)
-    assert restart["input"] == "checkpoint"
-    assert restart["outputs"] == ["record", "checkpoint"]
-    assert restart["parameters"] is True
-    assert restart["one_needed"] == [
-        ["until", "for", "until-quiet", "until-spanned", "until-rupture-at"],
-        ["output"],
-    ]
-    del options["record-every"]["help"]
-    expected = {"name": "record-every", "short": None, "kind": "number", "value": "T", "unit": "s"}
-    assert options["record-every"] == expected | {"default": 1e-4}
-    assert options["output"]["short"] == "o"
-    assert options["on-alarm"]["words"] == ["stop", "report"]
-    assert options["on-alarm"]["default"] == "stop"
-
-
-def test_what_commands_read():
-    for name, read in {
-        "load": None,
-        "analyze quantities": None,
-        "analyze front": "record",
-        "analyze stress": "checkpoint",
-        "analyze show": "file",
-    }.items():
-        program = json_of(f"{name} --describe")
-        assert program["input"] == read
-        assert (program["outputs"] == ["report"]) == (name != "load")
-
-
 def test_rupture_lists_every_program_with_its_summary():
     tools, text = json_of("rupture --describe")["tools"], output_of("rupture help")
     assert {"analyze", "reproduce", *PROGRAMS, *PYTHON} == {tool["name"] for tool in tools}

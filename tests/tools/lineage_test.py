@@ -8,7 +8,7 @@ import pytest
 
 import rupture
 from changes import change
-from commands import checksum_of, expect_rebuilt, json_of, lines_of
+from commands import checksum_of, expect_rebuilt, lines_of
 from commands import output_of, run_script, script_for
 
 pytestmark = pytest.mark.usefixtures("small_ini")
@@ -56,28 +56,6 @@ def test_the_script_checks_every_file(two_steps):
         done = run_script(f"{start}check {file} {'1' if end[0] == '0' else '0'}{end[1:]}")
         assert done.code == 1
         assert f"{file} has another content checksum than" in done.err
-
-
-def test_one_line_per_step(two_steps):
-    first, second = lines_of(output_of("analyze lineage b.h5"))
-    assert first.startswith(f"0 {checksum_of('a.h5')[:12]}  rupture ")
-    assert second.startswith(f"1 {checksum_of('b.h5')[:12]}  rupture ")
-    assert second.endswith(": restart --until 0.00011")
-    said = json_of("analyze lineage b.h5 --json")
-    first, second = said["steps"]
-    assert said["kind"] == "checkpoint"
-    assert said["checksum"] == checksum_of("b.h5") == second["checksum"]
-    assert first["checksum"] == second["parent_checksum"]
-    fields = ("tool", "version", "commit", "command_line", "compiler", "rebuild")
-    assert all(second[field] for field in fields)
-
-
-def test_a_file_without_a_command_can_be_the_start(two_steps):
-    put("a.h5", 0, "rebuild", "")
-    output_of("restart a.h5 -o new.h5 --for 1e-5")
-    done = run_script(script_for("new.h5", "--from", str(Path("a.h5").absolute())))
-    assert done.code == 0, done.err
-    assert checksum_of("again/rebuilt.h5") == checksum_of("new.h5")
 
 
 def test_no_control_characters_are_printed():

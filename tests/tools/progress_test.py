@@ -71,10 +71,6 @@ def test_of_a_run_until_quiet_has_no_percentage():
         assert re.fullmatch(rf"t = \d\.\d+ s of at most 0\.3000 s   {RATE}", line.rstrip())
 
 
-def test_quiet_runs_show_nothing():
-    assert on_terminal(f"load {SMALL} --until 0.1 -o a.h5 --quiet", 80) == [""]
-
-
 def test_an_alarm_begins_a_line():
     on_terminal(f"load {SMALL} -o a.h5 --until 1e-4 --set driving.V=1", 80)
     changes = "--set slider.damping=0 --set driving.K=1.6e11"  # unstable
@@ -106,7 +102,3 @@ def test_elsewhere_is_a_line_per_tenth_of_what_takes_long_unless_it_is_quiet():
     assert re.fullmatch(rf"load: {LINE}\n", line)
     assert [int(done) % 10 for done in re.findall(DONE, line)] == [0]
     assert nothing == ""
-
-
-def test_elsewhere_short_runs_print_nothing():
-    assert stopped_for(0, f"load {SMALL} --until 0.1") == [""]

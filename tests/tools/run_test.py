@@ -94,18 +94,6 @@ def test_until_quiet_waits_for_the_pinned_fraction_that_was_asked_for():
 # --- --resume
 
 
-def test_a_run_knows_its_record_by_its_id_and_the_intervals():
-    how = "--record r.h5 --record-every 3e-5 --fields 1e-4"
-    output_of(f"load --config small.ini -o x.h5 --until 4e-4 {how}")
-    with h5py.File("r.h5") as record:
-        run_of_record = {name: value[()] for name, value in record["/run"].items()}
-    run_id = dataset("x.h5", "/run/id")
-    assert len(run_id) == 64
-    assert run_of_record.pop("event").tolist() == [-1] * 9
-    assert run_of_record.pop("last_rupture") == 0
-    assert run_of_record == {"id": run_id, "record_every": 3e-5, "fields_every": 1e-4}
-
-
 # --- --dry-run
 
 
