@@ -18,6 +18,7 @@ from fixture import SHARE, START, Project, spill
 from report import page
 from report.jobs import read_jobs
 from report.written import seal
+from reproduce import stamps
 from rupture.errors import Failure
 from stand_ins import Project as Clone
 
@@ -160,6 +161,14 @@ def test_a_command_ends_with_a_sentence(
 
 
 # --- with the right checksums
+
+
+def test_only_modules_of_ours_are_parsed(tmp_path):
+    spill(tmp_path / "a.py", "def (:")
+    assert len(stamps.content_of(tmp_path / "a.py", None)) == 16
+    os.mkfifo(tmp_path / "b.py")
+    with pytest.raises(Failure, match="b.py: not a regular file"):
+        stamps.content_of(tmp_path / "b.py", None)
 
 
 VALUES: tuple = (
