@@ -12,8 +12,8 @@ from rupture.once import measured, run
 from rupture.programs import output_of
 
 from claims.recipes import RECIPES
-from claims.samples import Unit, every, sampled
-from measure.conventions import PRIMARY, SETS, by_way
+from claims.samples import Sample, every, sampled
+from measure.ways import PRIMARY, by_way
 from measure.drawn import nothing_drawn
 from measure.fronts import middle_of
 from measure.slip import peaks_of_record
@@ -39,7 +39,7 @@ CHECKPOINTED = "--checkpoint-every 0.05"
 CROSSINGS = "--crossings 0.2,0.5"
 COARSE = f"--record record.h5 --record-every 1e-3 {CROSSINGS}"
 FINE = "--record record.h5 --record-every 1e-5"
-FINEST = f"{FINE} {CROSSINGS}"
+FINEST = f"{FINE} {CROSSINGS}"  # of events and branches, for all ways to measure
 BLOCKS = {8: PRIMARY, 11: "branch at 0.2 L", 14: "branch at 0.25 L"}  # of branches
 WIDTH = 0.0025  # of a block [m]
 
@@ -119,7 +119,7 @@ def load(seed, law="reference"):
 
 def events_in(load):
     """{way to measure: events}"""
-    found = by_way(f"analyze events {load['record.h5']}", SETS["conventions"])
+    found = by_way(f"analyze events {load['record.h5']}")
     return {way: report.events for way, report in found.items()}
 
 
@@ -153,19 +153,19 @@ def spanning(events):
     return {way: [one for one in of if one.spanning] for way, of in events.items()}
 
 
-def units_of_runs(law="reference"):
+def samples_of_runs(law="reference"):
     """A sample is the spanning events of a run."""
     return {
         PRIMARY: [
-            Unit(seed, found if isinstance(found, Failure) else spanning(found))
+            Sample(seed, found if isinstance(found, Failure) else spanning(found))
             for seed, found in runs(law)
         ]
     }
 
 
-def before(load, event, times=TIMES):
-    """The state of a run 0.5 ms before an event."""
-    until = round(event.t_start - 0.5e-3, 7)
+def before(load, event, times=TIMES, early=0.5e-3):
+    """The state of a run so long before an event [s]."""
+    until = round(event.t_start - early, 7)
     last = max(time for time in times if time < until)
     start = run(f"restart {load[checkpoint_at(last)]} -o start.h5 --until {until}", ["start.h5"])
     return start["start.h5"]
@@ -185,16 +185,15 @@ def continued_from(load, event):
     start, lasting, amid = before(load, event), duration(event), middle_of(event.in_words)
     record = run(f"restart {start} -o event.h5 --for {lasting} {FINEST}")["record.h5"]
     stopped = run(f"restart {start} -o amid-slow.h5 --until {amid}")["amid-slow.h5"]
-    undriven = run(f"restart {stopped} -o undriven.h5 --set driving.V=0 --for {lasting} {FINE}")[
-        "record.h5"
-    ]
+    line = f"restart {stopped} -o undriven.h5 --set driving.V=0 --for {lasting} {FINEST}"
+    undriven = run(line)["record.h5"]
     return SimpleNamespace(
         start=start,
         strength=run(f"analyze strength {start}"),
-        fronts=by_way(f"analyze front {record} --event 0", SETS["conventions"]),
+        fronts=by_way(f"analyze front {record} --event 0"),
         peaks=measured(peaks_of_record, record),
         stop=amid,
-        undriven=run(f"analyze front {undriven} --event 0"),
+        undriven=by_way(f"analyze front {undriven} --event 0"),
     )
 
 
@@ -235,7 +234,7 @@ def branch_of(event, block, lasting):
     wider = widened(branch, lasting)
 
     def front_in(record):
-        return f"analyze front {record} --event 0 --skip-below-x {x}"
+        return by_way(f"analyze front {record} --event 0 --skip-below-x {x}")
 
     def slips_at(place):
         return [
@@ -248,16 +247,16 @@ def branch_of(event, block, lasting):
         fronts=event.fronts,
         block=block,
         records=records,
-        stopped=by_way(front_in(records["stopped"]), SETS["raw"]),
-        no_slow_slip=run(front_in(records["no_slow_slip"])),
-        half=run(front_in(records["half"])),
-        double=run(front_in(records["double"])),
+        stopped=front_in(records["stopped"]),
+        no_slow_slip=front_in(records["no_slow_slip"]),
+        half=front_in(records["half"]),
+        double=front_in(records["double"]),
         slips=slips_at(0.0476),
         own_slips=slips_at(front.in_words.x_from - 0.06 * front.L),
         far_slips=slips_at(front.in_words.x_from - 0.1 * front.L),
         phi=run(f"analyze phi {branch}"),
         phi_wider=run(f"analyze phi {wider.start}"),
-        wider=by_way(front_in(wider.record), SETS["conventions"]),
+        wider=front_in(wider.record),
     )
 
 
@@ -288,20 +287,28 @@ def branch(seed, number, block):
     return branch_of(continued(seed, number), block, lasting)
 
 
+def samples_without_events():
+    """Of the runs that have no such event, which count against what is said about it."""
+    having = {seed for seed, _ in slow_events(runs())}
+    none = Failure("no event of this run is fast, slow and fast again")
+    return [Sample(seed, none) for seed, _ in runs() if seed not in having]
+
+
 @cache
-def units_of_events():
+def samples_of_events():
     """A sample is an event, continued."""
     found = sampled(continued, slow_events(runs()), "events")
-    return {PRIMARY: [Unit(seed, of) for (seed, _), of in found]}
+    return {PRIMARY: [Sample(seed, of) for (seed, _), of in found] + samples_without_events()}
 
 
 @cache
-def units_of_branches():
-    """A sample is an event that something happens to; elsewhere is another convention."""
+def samples_of_branches():
+    """A sample is an event that something happens to; elsewhere is another way."""
     points = [(*event, block) for event in slow_events(runs()) for block in BLOCKS]
     found = sampled(branch, points, "branches")
     return {
-        name: [Unit(seed, of) for (seed, _, at), of in found if at == block]
+        name: [Sample(seed, of) for (seed, _, at), of in found if at == block]
+        + samples_without_events()
         for block, name in BLOCKS.items()
     }
 
@@ -323,7 +330,7 @@ def simplified(number):
         record=record,
         without_record=without,
         front=run(f"analyze front {record} --event 0"),
-        without=by_way(f"analyze front {without} --event 0", SETS["conventions"]),
+        without=by_way(f"analyze front {without} --event 0"),
     )
 
 

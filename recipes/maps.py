@@ -7,9 +7,9 @@ from functools import cache
 from rupture.errors import Failure
 from rupture.once import each, run
 
-from claims.samples import Samples, Unit, sampled
+from claims.samples import Sample, Samples, sampled
 from measure import front_map
-from measure.conventions import CONVENTIONS, PRIMARY, SETS, by_way
+from measure.ways import ON_MAP, PRIMARY, WAYS, by_way
 from measure.fronts import TYPES, type_on_map
 
 SEEDS = range(1, 6)
@@ -29,14 +29,14 @@ def spaced(first, last, step):
 # --- samples -----------------------------------------------------------------------------------
 
 
-def units_of_seeds(function, title):
+def samples_of_seeds(function, title):
     """What is found for each seed is a sample of its own."""
-    return [Unit(None, of) for _, of in sampled(function, [(seed,) for seed in SEEDS], title)]
+    return [Sample(None, of) for _, of in sampled(function, [(seed,) for seed in SEEDS], title)]
 
 
 def over_seeds(function, title):
     """The samples of a function of the seed; the picture shows the first."""
-    return Samples({"": function(SEEDS[0])}, {PRIMARY: units_of_seeds(function, title)})
+    return Samples({"": function(SEEDS[0])}, {PRIMARY: samples_of_seeds(function, title)})
 
 
 # --- fronts ------------------------------------------------------------------------------------
@@ -62,7 +62,7 @@ def at(tau_bar, sigma_bar, seed, options):
 def front_at(*place):
     """A front with its type in all ways to measure that make a difference on a map."""
     record = record_of(at(*place), CLASSIFIED, ["record.h5"])
-    types = by_way(f"analyze classify {record}", SETS["map"])
+    types = by_way(f"analyze classify {record}", ON_MAP)
     front = run(f"analyze front {record}")
     return front | {"types": {way: report.type for way, report in types.items()}}
 
@@ -111,8 +111,8 @@ class Map:
         return front_map.map_of_seed({place: self.fronts[place] for place in self.grid}, seed)
 
     def samples(self):
-        units = [Unit(None, self.of_seed(seed)) for seed in SEEDS]
-        return Samples({"": self.of_seed(1)}, {PRIMARY: units})
+        seeds = [Sample(None, self.of_seed(seed)) for seed in SEEDS]
+        return Samples({"": self.of_seed(1)}, {PRIMARY: seeds})
 
 
 def merged(*maps):
@@ -166,7 +166,7 @@ def around(is_so, guess):
 class Interfaces:
     """Prepared interfaces with these options of `prepare`; `ways` to measure their fronts."""
 
-    def __init__(self, options, step=STEP, ways=SETS["conventions"]):
+    def __init__(self, options, step=STEP, ways=WAYS):
         self.options, self.step, self.ways = options, step, ways
         self.kinds = cache(self.kinds_at)
 
@@ -194,7 +194,7 @@ class Interfaces:
 def edges(sigma_bar, options="", seed=1):
     """{way: {"slow": lowest tau_bar_0 of a front that is not arrested, "fast": of a fast one}}"""
     interfaces = Interfaces(f"--sigma-bar {sigma_bar:.12g} --set numerics.seed={seed} {options}")
-    return {way: {kind: interfaces.edge(kind, way) for kind in TYPES[1:]} for way in CONVENTIONS}
+    return {way: {kind: interfaces.edge(kind, way) for kind in TYPES[1:]} for way in WAYS}
 
 
 def width(edges, way=PRIMARY):

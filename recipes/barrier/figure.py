@@ -4,8 +4,10 @@ What is expected was fixed before any of these fronts was run."""
 import numpy as np
 from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, save
 
+import paper
 from barrier.commands import FIRST, FRONTS, PLAIN, places
 from claims.own_result import compared, write_own
+from events import WIDTH
 from measure.tables import write_table
 
 T_R = 2e-3  # [s]
@@ -24,6 +26,11 @@ EXPECTED = {
 }
 
 
+def in_l_0(width):
+    """A width in blocks as the decay length of the shear force ahead of a front."""
+    return round(width * WIDTH / paper.L_0, 2)
+
+
 def arrivals(pair, width):
     """When the front has passed a patch by two blocks, with slow slip and without [s], or None."""
     return [front.t_front[FIRST + width + 1] for front in pair]
@@ -31,6 +38,20 @@ def arrivals(pair, width):
 
 def crossed(place, pair):
     return tuple(t is not None for t in arrivals(pair, place[2]))
+
+
+def outcome(front, width):
+    """What a front makes of a patch; it may leave it whole, and go on behind it."""
+    if front.t_front[FIRST + width + 1] is None:
+        return "stops"
+    broke = all(t is not None for t in front.t_rupture[FIRST : FIRST + width])
+    return "breaks it" if broke else "jumps over it"
+
+
+def jumps(places, number):
+    """Patches over which fronts jump, with slow slip (0) or without (1)."""
+    of = patches(places, *FRONTS).items()
+    return sum(outcome(pair[number], at[2]) == "jumps over it" for at, pair in of)
 
 
 def patches(places, *tau_bars):
@@ -55,6 +76,8 @@ def own_result(places):
         float(np.median(late)) / T_R if late else None,
     )
     others: dict = {"patches that stop a fast front without slow slip": len(stopped)}
+    others["patches left whole behind the front, with slow slip"] = jumps(places, 0)
+    others["patches left whole behind the front, without"] = jumps(places, 1)
     for tau_bar, name in FRONTS.items():
         pairs = [crossed(*one) for one in patches(places, tau_bar).items()]
         text = f"{sum(a for a, _ in pairs)} with slow slip, {sum(b for _, b in pairs)} without"
@@ -83,9 +106,9 @@ def draw(places, stem):
         for place, pair in patches(places, tau_bar).items():
             _, mark, fill = CROSSES[crossed(place, pair)]
             look = {"markerfacecolor": fill, "markeredgecolor": BLACK, "markersize": 4}
-            axes.plot(2.5 * place[2], place[1], mark, **look)
-        axes.set(xlabel="width [mm]", xscale="log", xlim=(1.8, 28), ylim=(0.4, 1.05))
-        axes.set_xticks([2.5, 5, 10, 20], ["2.5", "5", "10", "20"])
+            axes.plot(in_l_0(place[2]), place[1], mark, **look)
+        axes.set(xlabel="width [$l_0$]", xscale="log", xlim=(0.25, 4), ylim=(0.4, 1.05))
+        axes.set_xticks([0.36, 0.71, 1.4, 2.9], ["0.36", "0.71", "1.4", "2.9"])
         axes.minorticks_off()
         axes.set_title(rf"{name}, $\bar\tau_0 = {tau_bar:g}$")
     panels[0].set_ylabel(r"$\mu_s$ of the patch")
@@ -96,6 +119,11 @@ def draw(places, stem):
 def make(results):
     found = places()
     draw(found, results / "barrier")
-    rows = [[*at, CROSSES[crossed(at, of)][0]] for at, of in patches(found, *FRONTS).items()]
-    write_table(results / "barrier.csv", ["tau_bar_0", "mu_s", "width [blocks]", "crosses"], rows)
+    rows = [
+        [*at, in_l_0(at[2]), CROSSES[crossed(at, of)][0], *(outcome(front, at[2]) for front in of)]
+        for at, of in patches(found, *FRONTS).items()
+    ]
+    names = ["tau_bar_0", "mu_s", "width [blocks]", "width [l_0]", "crosses"]
+    names += ["with slow slip", "without"]
+    write_table(results / "barrier.csv", names, rows)
     write_own(results, [own_result(found)])

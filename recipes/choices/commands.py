@@ -8,9 +8,9 @@ from rupture.once import each, run
 
 import events
 import maps
-from claims.samples import Unit, every, outcomes
+from claims.samples import Sample, every, outcomes
 from events import LAWS, duration, loads_from, slow_events
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 HALF_EDGES = "--set slider.edge_springs=half"
 ALONG_SPRING = "--set slider.damping_along=spring"
@@ -90,13 +90,13 @@ def branch(choice, seed, number):
     return events.branch_of(of, BLOCK, duration(event))
 
 
-def units_of_runs(choice):
-    return {PRIMARY: [Unit(seed, events.spanning(found)) for seed, found in runs()[choice]]}
+def samples_of_runs(choice):
+    return {PRIMARY: [Sample(seed, events.spanning(found)) for seed, found in runs()[choice]]}
 
 
 @cache
 def branches():
-    """{choice: units}"""
+    """{choice: samples}"""
     points = [
         (choice, *event)
         for choice, of in runs().items()
@@ -105,9 +105,9 @@ def branches():
     ]
     found: dict[str, list] = {choice: [] for choice in CHOICES}
     for (choice, seed, _), of_event in outcomes(points, each(branch, points, "branches")):
-        found[choice].append(Unit(seed, of_event))
+        found[choice].append(Sample(seed, of_event))
     return found
 
 
-def units_of_branches(choice):
+def samples_of_branches(choice):
     return {PRIMARY: branches()[choice]}

@@ -8,14 +8,14 @@ from rupture.figures import BLACK, BLUE, DOUBLE, VERMILION, figure, letter, save
 
 import paper
 from choices.commands import CHOICES, DECAYING, SETTLED, SIGMA_BARS, edges, runs
-from choices.commands import units_of_branches, units_of_runs
-from claims.judge import by_convention, interval_of, shares_of
+from choices.commands import samples_of_branches, samples_of_runs
+from claims.judge import by_way, interval_of, shares_of
 from claims.own_result import OwnResult, write_own
 from claims.recipes import function_of
 from claims.resampling import interval_by_runs
 from claims.table import table
 from event_numbers import numbers_of
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import is_fast_only
 from measure.tables import write_table
 
@@ -52,9 +52,9 @@ RULE = "its 90 % interval and that of the model as settled do not overlap"
 
 @dataclass(frozen=True)
 class Found:
-    """A share or a median: its 90 % interval, of how many units or events, and between which values
-    most of the events behind a median lie. A band of slow fronts has nothing but its ends. `moved`:
-    "up", "down" or "" (not); None if there is nothing to compare with."""
+    """A share or a median: its 90 % interval, of how many samples or events, and between which
+    values most of the events behind a median lie. A band of slow fronts has nothing but its ends.
+    `moved`: "up", "down" or "" (not); None if there is nothing to compare with."""
 
     value: float | None
     low: float | None
@@ -124,15 +124,15 @@ def bands():
 def share_of(claim, choice):
     """[share] of the runs or branches of a choice for which a claim holds, in the primary way."""
     row = table()[claim] | {"ways": ()}
-    units = units_of_branches(choice) if claim in OF_BRANCHES else units_of_runs(choice)
+    taken = samples_of_branches(choice) if claim in OF_BRANCHES else samples_of_runs(choice)
     measured = function_of(row["recipe"], row["measured"])
-    return shares_of(row, by_convention(row, measured, units))
+    return shares_of(row, by_way(row, measured, taken))
 
 
 def measured(choice):
     """{quantity: what was found}, of what there is."""
     shares = {
-        claim: Found(share.part(), share.low, share.high, share.units)
+        claim: Found(share.part(), share.low, share.high, share.samples)
         for claim in ROWS[settled_of(choice)]
         for share in share_of(claim, choice)
     }

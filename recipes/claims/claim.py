@@ -11,48 +11,44 @@ from rupture.replacing import write_whole
 
 CLAIMS = "claims.json"  # a recipe has run if this is among its results
 REPRODUCED = "reproduced"
-DEPENDS = "depends"
+BY_THE_MEASURE = "by the measure"
+IN_PART = "in part"
+UNDECIDED = "undecided"
 DIFFERS = "differs"
 NOT_COMPARABLE = "not comparable"
-VERDICTS = (REPRODUCED, DEPENDS, DIFFERS, NOT_COMPARABLE)
-HOLDS, DOES_NOT_HOLD = "holds", "does not hold"  # of a case
-STANDINGS = (REPRODUCED, HOLDS, DEPENDS, DOES_NOT_HOLD, DIFFERS, NOT_COMPARABLE)  # in counts
-SCHEMA = 2  # of claims.json; 1 was a list of claims with other names
+VERDICTS = (REPRODUCED, BY_THE_MEASURE, IN_PART, UNDECIDED, DIFFERS, NOT_COMPARABLE)
+HOLDS, DOES_NOT_HOLD = "holds", "does not hold"  # for what a picture shows
+STANDINGS = (*VERDICTS[:1], HOLDS, *VERDICTS[1:4], DOES_NOT_HOLD, *VERDICTS[4:])  # in counts
+SCHEMA = 3  # of claims.json; before, samples were units, and ways conventions
 
 
 @dataclass(frozen=True)
 class Share:
-    """The units for which a claim holds under one convention; `low` and `high` bound their part,
+    """The samples for which a claim holds in one way to measure; `low` and `high` bound their part,
     None for one state."""
 
-    convention: str
+    way: str
     holds: int
-    units: int
+    samples: int
+    runs: int  # of which the samples are
     low: float | None
     high: float | None
 
     def __post_init__(self):
-        is_part = 0 <= self.holds <= self.units != 0
+        is_part = 0 <= self.holds <= self.samples and 0 <= self.runs <= self.samples
         if not is_part or (self.low is None) != (self.high is None):
             raise ValueError(f"not a share: {self}")
 
     def part(self):
-        return self.holds / self.units
-
-    def text(self, unit):
-        return f"{self.holds} of {self.units} {plural(unit)} ({self.convention})"
-
-
-def plural(unit):
-    return re.sub(r"^(run|event|seed)\b", r"\1s", unit)
+        return self.holds / self.samples if self.samples else 0.0
 
 
 @dataclass(frozen=True)
 class Claim:
-    """One row. `measured` has numbers by name and unit: {"slow speed [m/s]": 9.8}. `case` says
-    whether the claim holds for the case that the picture shows; None if that could not be measured.
-    `verdict` is None where the claim is judged over units and these have not run. `note` says what
-    a reader has to know to judge it; where a claim differs, why."""
+    """One row. `measured` has numbers by name and unit: {"slow speed [m/s]": 9.8}. `shown` says
+    whether the claim holds for what the picture shows; None if that was chosen because it does, or
+    has not been measured. `verdict` is None where no samples are known. `note` says what a reader
+    has to know to judge it; where a claim differs, why."""
 
     id: str
     kind: str  # finding or check, as in claims.toml
@@ -60,22 +56,22 @@ class Claim:
     paper: str
     acceptance: str
     measured: dict
-    case: str | None
-    shares: list  # of Share, the primary convention first
+    shown: str | None
+    shares: list  # of Share, the primary way first
     verdict: str | None
     reason: str
     note: str = ""
 
     @property
     def standing(self):
-        """The verdict, or what is known without one."""
-        return self.verdict or self.case
+        """For readers: the verdict, or what is known without one."""
+        return self.verdict or self.shown
 
     def __post_init__(self):
         if self.verdict not in (*VERDICTS, None):
             raise ValueError(f"claim {self.id}: not a verdict: '{self.verdict}'")
-        if self.case not in (HOLDS, DOES_NOT_HOLD, None):
-            raise ValueError(f"claim {self.id}: not a case: '{self.case}'")
+        if self.shown not in (HOLDS, DOES_NOT_HOLD, None):
+            raise ValueError(f"claim {self.id}: neither holds nor not: '{self.shown}'")
 
 
 @dataclass(frozen=True)

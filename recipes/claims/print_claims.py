@@ -9,20 +9,20 @@ from claims.released import released
 from claims.table import samples_from
 
 WIDTH = 100
-HEADS = ("case shown", "verdict", "share", "least", "under")
+HEADS = ("shown", "verdict", "share", "least", "measured by")
 INDENT = " " * 6
 FORM = INDENT + "{:16}{:16}{:20}{:7}{}"
 
 
 def cells(claim):
-    """Share under the primary convention with its 90 % interval, and the least of all."""
-    case, verdict = claim.case or "-", claim.verdict or "-"
+    """Share in the primary way with its 90 % interval, and the least of all."""
+    shown, verdict = claim.shown or "-", claim.verdict or "-"
     if not claim.shares:
-        return case, verdict, "", "", ""
+        return shown, verdict, "", "", ""
     primary, least = claim.shares[0], min(claim.shares, key=Share.part)
     within = "" if primary.low is None else f" ({primary.low:.2f}-{primary.high:.2f})"
-    shares = f"{primary.part():.2f}{within}", f"{least.part():.2f}", least.convention
-    return case, verdict, *shares
+    shares = f"{primary.part():.2f}{within}", f"{least.part():.2f}", least.way
+    return shown, verdict, *shares
 
 
 def print_table(claims, others):
@@ -32,7 +32,7 @@ def print_table(claims, others):
     for claim in claims:
         print(textwrap.shorten(f"{claim.id}: {claim.paper}", WIDTH, placeholder=" ..."))
         print(FORM.format(*cells(claim)).rstrip())
-        texts = [claim.reason] if claim.reason != claim.case else []
+        texts = [claim.reason] if claim.reason != claim.shown else []
         if claim.verdict is None and claim.id in others:
             texts.append(f"released verdict: {others[claim.id]}")
         for line in textwrap.wrap("; ".join(texts), WIDTH - len(INDENT)):
@@ -40,14 +40,14 @@ def print_table(claims, others):
 
 
 def summary(claims):
-    """Verdicts, and the cases without one."""
+    """Verdicts, and what is known without one."""
     verdicts = Counter(claim.verdict for claim in claims)
     texts = [f"{verdicts[name]} {name}" for name in VERDICTS if verdicts[name]]
-    cases = [claim.case for claim in claims if claim.verdict is None]
-    if cases:
-        held = cases.count(HOLDS)
-        of = f"{held} of {len(cases)} claims {'holds' if held == 1 else 'hold'}"
-        texts.append(f"for the case shown, without a verdict, {of}")
+    shown = [claim.shown for claim in claims if claim.verdict is None]
+    if shown:
+        held = shown.count(HOLDS)
+        of = f"{held} of {len(shown)} claims {'holds' if held == 1 else 'hold'}"
+        texts.append(f"for what is shown, without a verdict, {of}")
     return "; ".join(texts)
 
 

@@ -13,7 +13,7 @@ def version_of(build):
 
 
 def released(root, builds):
-    """{claim: "0.4.0: depends, 58 of 91"}. Nothing unless builds of that version, from unchanged
+    """{claim: "0.6.0: in part, 58 of 91"}. Nothing unless builds of that version, from unchanged
     sources, wrote all that is behind the results."""
     table = root / TABLE
     known = {None if "-dirty" in build else version_of(build) for build, _ in builds}
@@ -27,4 +27,4 @@ def released(root, builds):
 
 def share_of(row):
     """Nothing for one state."""
-    return f", {row['holds']} of {row['units']}" if row["units"] not in ("", "1") else ""
+    return f", {row['holds']} of {row['samples']}" if row["samples"] not in ("", "1") else ""

@@ -14,5 +14,5 @@ def interval_by_runs(statistic, of_runs):
         return None, None
     drawn = np.random.default_rng(0).integers(len(runs), size=(RESAMPLES, len(runs)))
     found = [statistic(np.concatenate([runs[n] for n in row])) for row in drawn]
-    low, high = np.quantile(found, (0.05, 0.95))
+    low, high = np.nanquantile(found, (0.05, 0.95))
     return float(low), float(high)

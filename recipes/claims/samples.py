@@ -7,21 +7,21 @@ from rupture.errors import Failure
 from rupture.once import each, known
 
 
-class Unit(NamedTuple):
-    """One sample. Units of a run share a history; without a run it is one of its own. `sample` is a
-    Failure if it failed, which counts against the claim."""
+class Sample(NamedTuple):
+    """Samples of a run share a history; one without a run is a run of its own. `found` is a Failure
+    if it failed, or if the run has no such event: this counts against the claim."""
 
     run: Any
-    sample: Any
+    found: Any
 
 
 @dataclass(frozen=True)
 class Samples:
-    """`shown`: {name in the picture: sample}, that which decides first. `units`: {convention:
-    list of Unit}, the primary one first; empty for one state."""
+    """`shown`: {name in the picture: what is found there}, the first of which is reported as
+    holding or not. `taken`: {way: list of Sample}, the primary one first; empty for one state."""
 
     shown: dict
-    units: dict = field(default_factory=dict)
+    taken: dict = field(default_factory=dict)
 
 
 class Sampling:

@@ -2,12 +2,13 @@
 
 import tomllib
 from functools import cache
+from itertools import chain
 from pathlib import Path
 
 from rupture.errors import Failure
 
 from claims.recipes import RECIPES, paper_of
-from measure.conventions import SETS
+from measure.ways import WAYS, others
 
 
 @cache
@@ -50,5 +51,13 @@ def rows_of(recipe):
 
 def ways_of(row):
     """Names of the ways to measure, beside the primary one."""
-    ways = row.get("ways", ())
-    return [*SETS[ways]] if isinstance(ways, str) else ways
+    out = tuple(row.get("left_out", ()))
+    of_fronts = [way for way in others(WAYS) if not way.startswith(out)]
+    named = ([name] if name != "fronts" else of_fronts for name in row.get("ways", ()))
+    return [*chain(*named)]
+
+
+def left_out(row):
+    """Says which ways to measure a front a row leaves out, and why."""
+    texts = [f"{way or 'all'}: {why}" for way, why in row.get("left_out", {}).items()]
+    return f"Ways to measure that are left out: {'; '.join(texts)}." if texts else ""

@@ -6,7 +6,7 @@ from rupture.errors import Failure
 
 import events
 from fig5.commands import seeds
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import is_fast_only
 
 SLOW, FAST, OTHER = "fast-slow-fast in words", "fast everywhere", "other"  # kinds of events
@@ -38,7 +38,7 @@ def spanning(name):
 
 def compute():
     """What figures and claims of others read."""
-    events.units_of_events()
-    events.units_of_branches()
+    events.samples_of_events()
+    events.samples_of_branches()
     events.all_simplified()
     seeds()

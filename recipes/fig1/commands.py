@@ -7,10 +7,10 @@ import numpy as np
 from rupture.once import measured, run
 from rupture.reports import values
 
-from claims.samples import Samples, Unit
-from events import runs, shipped, shown_events, shown_load, units_of_events
+from claims.samples import Samples, Sample
+from events import runs, shipped, shown_events, shown_load, samples_of_events
 from fig1.junction import law_of_pulled
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.slip import peaks_of_record
 
 MIDDLE = 28  # the block in the middle of the interface
@@ -65,8 +65,8 @@ def steady():
 
 
 def each_run():
-    units = [Unit(seed, events) for seed, events in runs("reference")]
-    return Samples({"": shown_events("reference")}, {PRIMARY: units})
+    taken = [Sample(seed, events) for seed, events in runs("reference")]
+    return Samples({"": shown_events("reference")}, {PRIMARY: taken})
 
 
 def drops(events, way):
@@ -85,7 +85,7 @@ def drops(events, way):
 
 
 def each_event():
-    return Samples({"": event()}, units_of_events())
+    return Samples({"": event()}, samples_of_events())
 
 
 def peak(of, way):

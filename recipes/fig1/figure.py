@@ -7,7 +7,7 @@ from rupture.figures import ARRESTED, BLACK, BLUE, DOUBLE, FAST, SLOW, lettered,
 from events import shown_events
 from fig1 import junction
 from fig1.commands import MIDDLE, event, loading, pulled, steady
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import write_table
 from paper import MU_D, MU_S
 

@@ -4,14 +4,17 @@ from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
+from rupture.errors import Failure
 from rupture.once import keep, run
 from rupture.reports import LOADING_ZONE, value, values
 
 import events
+from claims.resampling import interval_by_runs
 from claims.samples import Samples, sampled
+from claims.words import FEWEST
 from events import FINE, shipped, shown_event, shown_events
 from fig2.most_like import candidates
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import front_spans
 
 
@@ -40,12 +43,62 @@ def most_like_if_known():
     return next((found for _, found in sampled(most_like, [()])), None)
 
 
-# --- what claims measure -----------------------------------------------------------------------
+# --- first and later events of runs ------------------------------------------------------------
+
+OF_STRETCH = {  # of an event's stretch below c_s/10: what is measured
+    "begin [L]": lambda event: value(event, "in_words.x_from") / event.L,
+    "end [L]": lambda event: value(event, "in_words.x_to") / event.L,
+    "slowest/c_s": lambda event: value(event, "in_words.slowest") / event.c_s,
+    "speed before/c_s": lambda event: value(event, "in_words.fast_before") / event.c_s,
+    "duration [ms]": lambda event: value(event, "in_words.duration") * 1e3,
+}
+
+ENDS = ("begin [L]", "end [L]")
+
+
+def by_order(runs, way=PRIMARY):
+    """{order: [fast-slow-fast events of each run that has such]}: the first one, and all later."""
+    slow = [[event for event in of[way] if event.fast_slow_fast] for of in runs]
+    parts = {"first": [of[:1] for of in slow], "later": [of[1:] for of in slow]}
+    return {order: [of for of in of_runs if of] for order, of_runs in parts.items()}
+
+
+def median_of(quantity, of_runs):
+    """With its 90 % interval; NaN for what cannot be known."""
+    of_runs = [[OF_STRETCH[quantity](event) for event in of] for of in of_runs]
+    every = [one for of in of_runs for one in of]
+    bounds = interval_by_runs(np.median, of_runs)
+    found = (float(np.median(every)) if every else None, *bounds)
+    return tuple(np.nan if one is None else one for one in found)
+
+
+def first_events():
+    """All runs are one state."""
+    found = [of for _, of in events.runs() if not isinstance(of, Failure)]
+    return Samples({"": found} if len(found) >= FEWEST else {})
+
+
+def first_event(runs, way):
+    """first-event"""
+    orders = by_order(runs, way)
+    found = {"runs with such an event": len(orders["first"])}
+    for name, of in OF_STRETCH.items():
+        for order, before in (("first", ""), ("later", "later events: ")):
+            every = [of(event) for of_run in orders[order] for event in of_run]
+            found[before + name] = median(np.array(every))
+    for name in ENDS:
+        _, low, high = median_of(name, orders["first"])
+        found |= {f"low of the {name}": low, f"high of the {name}": high}
+    begin, end = (found[f"high of the {name}"] - found[f"low of the {name}"] for name in ENDS)
+    return found | {"wider interval [L]": max(begin, end)}
+
+
+# --- other claims ------------------------------------------------------------------------------
 
 
 def runs_beside(name):
     """A sample is the spanning events of a run; in the picture it is one of them."""
-    return Samples({"": {PRIMARY: [shown_event(name).front]}}, events.units_of_runs())
+    return Samples({"": {PRIMARY: [shown_event(name).front]}}, events.samples_of_runs())
 
 
 def runs_beside_I():

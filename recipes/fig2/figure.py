@@ -14,10 +14,10 @@ from rupture.replacing import replacing
 import paper
 from event_numbers import at_transitions, numbers_of_events
 from events import runs, shown_event
-from fig2.commands import film, most_like_if_known
+from fig2.commands import OF_STRETCH, by_order, film, median_of, most_like_if_known
 from fig2.most_like import COLUMNS
-from measure.conventions import PRIMARY
-from measure.tables import write_columns, write_fronts
+from measure.ways import PRIMARY
+from measure.tables import write_columns, write_fronts, write_table
 
 MOST_LIKE = "most-like"
 EVENTS = {  # label, colour, marker
@@ -78,6 +78,18 @@ def draw(events, fronts, stem):
     save(fig, stem)
 
 
+def write_by_order(path, shown, runs):
+    """The first fast-slow-fast event of each run, all later ones, and event I."""
+    of_paper = [*paper.TRANSITIONS, paper.SLOW, paper.FAST, paper.SLOW_FOR * 1e3]
+    orders = by_order(runs)
+    rows = [
+        [name, at, *(x for of in orders.values() for x in median_of(name, of)), measure(shown)]
+        for (name, measure), at in zip(OF_STRETCH.items(), of_paper)
+    ]
+    names = [f"{order}: {text}" for order in orders for text in ("median", "low", "high")]
+    write_table(path, ["below c_s/10", "paper", *names, "event I"], rows)
+
+
 def make(results):
     events = {name: shown_event(name) for name in EVENTS if name != MOST_LIKE}
     if found := most_like_if_known():
@@ -87,8 +99,10 @@ def make(results):
     write_fronts(results / "front-speed-II.csv", {"second-slow": fronts.pop("second-slow")})
     write_fronts(results / "front-speed.csv", fronts)
     write_columns(results / "most-like.csv", COLUMNS, found.candidates if found else [])
+    slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
+    of_runs = [of for _, of in runs() if not isinstance(of, Failure)]
+    write_by_order(results / "by-order.csv", slow, of_runs)
     with replacing(results / "movie.gif") as temporary:
         shutil.copyfile(film(), temporary)
-    slow, fast = fronts["fast-slow-fast"], fronts["fast-only"]
-    of_runs = (of[PRIMARY] for _, of in runs() if not isinstance(of, Failure))
-    return numbers_of_events(slow, fast, fronts.get(MOST_LIKE), [*chain(*of_runs)])
+    events_of_runs = [*chain(*(of[PRIMARY] for of in of_runs))]
+    return numbers_of_events(slow, fast, fronts.get(MOST_LIKE), events_of_runs)

@@ -7,7 +7,7 @@ from rupture.programs import output_of
 
 from claims.samples import every
 from events import CHECKPOINTS, shown_events
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import is_fast_only
 
 

@@ -5,12 +5,14 @@ from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
+from rupture.errors import Failure
 from rupture.once import keep, run
 from rupture.reports import value
 
-from claims.samples import Samples, Unit
-from events import EVENTS, branch_of, shown_event, units_of_branches
-from measure.conventions import PRIMARY
+from claims.samples import Samples, Sample
+from events import EVENTS, WIDTH, branch_of, samples_of_branches, shown_event
+from measure.fronts import front_spans, is_cut, last_block
+from measure.ways import PRIMARY
 
 SHOWN = ("event II", "event I")  # the paper shows the first
 BLOCK = 8  # of the branch, at 0.14 L
@@ -33,13 +35,15 @@ def every_step(name):
 
 
 def branches():
-    """Events I and II, and those of the ensemble; elsewhere is another convention."""
-    return Samples({name: continued(name) for name in SHOWN}, units_of_branches())
+    """Events I and II, and those of the ensemble; elsewhere is another way."""
+    return Samples({name: continued(name) for name in SHOWN}, samples_of_branches())
 
 
 def still_slow(of, way):
     """3A"""
     front = of.stopped[way]
+    if front.fast_slow_fast is None:  # the record begins or ends amid its slow stretch
+        return None
     return {
         "fast-slow-fast in words": front.fast_slow_fast,
         "front": front.type,
@@ -49,11 +53,39 @@ def still_slow(of, way):
 
 def arrest(of, way):
     """3B: from the centre of the first stencil below c_s/10 of the unmodified event."""
-    x_arrest, L = value(of.no_slow_slip, "x_arrest"), of.no_slow_slip.L
-    x_from = value(of.fronts[way], "in_words.x_from")
+    front, x_from = of.no_slow_slip[way], value(of.fronts[way], "in_words.x_from")
+    if is_cut(front):
+        return None
+    x_arrest = np.nan if front_spans(front) else WIDTH * last_block(front, of.block, way)
     return {
-        "arrest [L]": x_arrest / L,
-        "arrest - first stencil below c_s/10 [L]": (x_arrest - x_from) / L,
+        "arrest [L]": x_arrest / front.L,
+        "arrest - first stencil below c_s/10 [L]": (x_arrest - x_from) / front.L,
+    }
+
+
+def crossing(of, way):
+    """no-crossing; the control has slow slip, and no drive, either."""
+    front, control = of.no_slow_slip[way], of.stopped[way]
+    if is_cut(front):
+        return None
+    return {
+        "crosses without slow slip": front_spans(front),
+        "crosses with slow slip": None if is_cut(control) else front_spans(control),
+    }
+
+
+def dose(of, way):
+    """dose: steps are from <t_R>/2 to <t_R>, and from there to 2 <t_R>."""
+    fronts = [of.half[way], of.stopped[way], of.double[way]]
+    if any(map(is_cut, fronts)):
+        return None
+    half, as_it_is, double = (value(front, "in_words.slowest") for front in fronts)
+    ends = np.array([value(front, "in_words.x_to") / front.L for front in fronts])
+    return {
+        "slowest speed, <t_R>/2 over <t_R>": half / as_it_is,
+        "slowest speed, <t_R> over 2 <t_R>": as_it_is / double,
+        "largest move of the end [L]": np.max(np.abs(ends - ends[1])),
+        "exponent of the slowest speed in <t_R>": np.log2(double / half) / 2,
     }
 
 
@@ -62,11 +94,18 @@ def arrest(of, way):
 
 def followed():
     """A sample is the slip of the block 0.06 L before an event's own transition, for <t_R> as it
-    is, half and double. A block farther away is another convention."""
-    units = units_of_branches()
-    found = {name: [Unit(run, of.own_slips) for run, of in own] for name, own in units.items()}
-    found["block 0.1 L before it"] = [Unit(run, of.far_slips) for run, of in units[PRIMARY]]
+    is, half and double. A block farther away is another way."""
+    taken = samples_of_branches()
+    found = {name: parts("own_slips", of) for name, of in taken.items()}
+    found["block 0.1 L before it"] = parts("far_slips", taken[PRIMARY])
     return Samples({name: continued(name).own_slips for name in SHOWN}, found)
+
+
+def parts(name, samples):
+    """The samples with one part of what was found."""
+    return [
+        Sample(run, of if isinstance(of, Failure) else getattr(of, name)) for run, of in samples
+    ]
 
 
 def slip(slips, way):

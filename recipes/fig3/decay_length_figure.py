@@ -7,7 +7,7 @@ import paper
 from claims.spread import spread
 from fig3.decay_length import FITTED, median
 from fig3.lengths import fronts
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import write_table
 
 SHOWN = 1  # seed

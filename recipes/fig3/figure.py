@@ -10,7 +10,7 @@ import paper
 from claims.claim import Number
 from fig3 import decay_length_figure, front_speed_figure, no_slip_force, slow_slip_figure
 from fig3.commands import SHOWN, continued, every_step, fastest
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import write_table
 
 OF_REF_20 = f"The experiment of the paper's ref. 20: about {paper.FAST_SLIP_SPEED * 1e3:.0f} mm/s."

@@ -13,12 +13,14 @@ from rupture.once import run
 import paper
 from claims.samples import Samples
 from fig3 import slow_fronts as slow
-from maps import over_seeds, places_of, spaced, units_of_seeds
-from measure.conventions import PRIMARY
+from maps import over_seeds, places_of, spaced, samples_of_seeds
+from measure.ways import PRIMARY
 from measure.tables import numbers
 
 NX = 57
 N_S = 100
+MODELS = ("full", "simplified")
+FASTER = 10  # [m/s]; away from arrest
 REFERENCE = {"junctions.law": "reference", "junctions.v_slow": 0}
 SIMPLIFIED = {"junctions.law": "simplified", "sigma-bar": 0, "junctions.v_slow": 1e-3}
 V_SLOW = (0.3e-3, 0.5e-3, 0.75e-3, 1e-3, 1.5e-3, 2e-3, 3e-3, 5e-3)  # [m/s]
@@ -134,7 +136,14 @@ def chosen(rows, model, variants=VARIED):
 
 
 def fits_of(rows):
-    return {model: fit(chosen(rows, model)) for model in ("full", "simplified")}
+    """{model: fit}, and the same of speeds without scaling, and of faster fronts."""
+    found: dict = {}
+    for model in MODELS:
+        of = chosen(rows, model)
+        faster = [row for row in of if row["front speed [m/s]"] >= FASTER]
+        unscaled = slow.fit_through_origin(slip(of), slow.speeds(of))
+        found |= {model: fit(of), f"{model}, unscaled": unscaled, f"{model}, faster": fit(faster)}
+    return found
 
 
 def usable_fronts(seed):
@@ -158,23 +167,43 @@ def each_seed():
             rows = with_width(usable_fronts(seed)[PRIMARY], widths(seed), sigma_bar)
             return {PRIMARY: fits_of(rows)}
 
-        return units_of_seeds(of_seed, f"sigma-bar {sigma_bar}")
+        return samples_of_seeds(of_seed, f"sigma-bar {sigma_bar}")
 
     found = over_seeds(fits, "front speeds")
-    return Samples(found.shown, found.units | {f"sigma-bar {s}": at_width(s) for s in (0, 0.2)})
+    return Samples(found.shown, found.taken | {f"sigma-bar {s}": at_width(s) for s in (0, 0.2)})
 
 
 def scaling(fits, way):
     """3D"""
-    full, simplified = (fits[way][model] for model in ("full", "simplified"))
+    found = fits[way]
+    exponents = {f"exponent, {model}": found[model].exponent for model in MODELS}
+    return collapse(fits, way) | exponents | (beside(found) if way == PRIMARY else {})
+
+
+def beside(found):
+    """What stands beside claim 3D."""
+    values: dict = {}
+    for model in MODELS:
+        of, faster = found[model], found[f"{model}, faster"]
+        values |= {
+            f"exponent, {model}, 90 % interval": slow.exponent_interval(of),
+            f"exponent, {model}, fronts of {FASTER} m/s or more": faster.exponent,
+            f"speed at no slow slip, {model} [m/s]": of.offset,
+            f"largest deviation from the line, {model}": of.largest,
+        }
+    return values
+
+
+def collapse(fits, way):
+    """3D-collapse"""
+    found = fits[way]
+    full, simplified = (found[model] for model in MODELS)
+    gain = [found[m].r_squared - found[f"{m}, unscaled"].r_squared for m in MODELS]
     return {
         "slope, full": full.slope,
         "slope, simplified": simplified.slope,
         "R^2, full": full.r_squared,
         "R^2, simplified": simplified.r_squared,
         "difference of the slopes": abs(full.slope / simplified.slope - 1),
-        "exponent, full": full.exponent,
-        "exponent, simplified": simplified.exponent,
-        "largest deviation from the line, full": full.largest,
-        "largest deviation from the line, simplified": simplified.largest,
+        "R^2 beyond that without scaling": np.min(gain),
     }

@@ -5,7 +5,7 @@ from rupture.figures import AS_IT_IS, CHANGED, SINGLE, lettered, save
 from claims.spread import spread
 from fig3 import slow_fronts as slow
 from fig3.front_speed import chosen, fit, fits_of, scaled_slip, slip, usable_fronts
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import write_columns
 
 SHOWN = 1  # seed

@@ -13,7 +13,7 @@ from fig3.decay_length import METHODS, decay_of_front, median
 from fig3.front_speed import REFERENCE, parameters
 from fig3.slow_fronts import record_of
 from maps import over_seeds, spaced
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 KAPPA = 39.2e9  # of the reference [N/m^2]
 KAPPAS = (156.8e9, 78.4e9, 39.2e9, 19.6e9, 9.8e9)  # k_i from twice the reference's to half of it
@@ -70,7 +70,7 @@ def length(fronts, way):
         "slow fronts": sum(of.profiles > 0 for of in fronts),
         "profiles": sum(of.profiles for of in fronts),
         "least and most of a front [mm]": in_mm(each),
-        "least and most of the other conventions [mm]": in_mm(others),
+        "least and most in the other ways [mm]": in_mm(others),
     }
 
 

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 from claims.samples import every, sampled
 from maps import SEEDS, edges, fronts_at, over_seeds, places_of, spaced, width
-from measure.conventions import CONVENTIONS
+from measure.ways import WAYS
 from measure.front_map import TYPES, beyond_trigger, front_type
 from measure.tables import write_table
 
@@ -56,9 +56,9 @@ def slowest(front):
 def make(results):
     known = sampled(fronts, [(seed,) for seed in SEEDS], "f_slip = 0")
     rows = (
-        [seed, *place, slowest(front), *(front_type(front, name) for name in CONVENTIONS)]
+        [seed, *place, slowest(front), *(front_type(front, name) for name in WAYS)]
         for (seed,), found in (known or [((1,), fronts(1))])
         for place, front in found.items()
     )
-    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *CONVENTIONS]
+    names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *WAYS]
     write_table(results / "no-slip-force.csv", names, rows)

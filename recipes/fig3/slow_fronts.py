@@ -8,10 +8,12 @@ import numpy as np
 from rupture.once import each, run
 
 import maps
-from measure.conventions import PRIMARY
+from claims.resampling import interval_by_runs
+from events import CROSSINGS
 from measure.tables import numbers
+from measure.ways import PRIMARY, WAYS, others
 
-RECORDED = "--record record.h5 --record-every 2e-5"
+RECORDED = f"--record record.h5 --record-every 2e-5 {CROSSINGS}"
 BLOCKS = 5  # fewer tell nothing about a front
 NEAR_ARREST = 3.0  # m/s; slower fronts are near arrest
 WITHOUT_NEAR_ARREST = "without fronts near arrest"
@@ -19,6 +21,7 @@ WINDOWS = {  # options of `analyze slow-slip`
     PRIMARY: "",
     "followed for up to 2 <t_R>": "--longest 2 --shortest 1",
     "followed for whole <t_R>": "--shortest 1",
+    **{way: WAYS[way] for way in others(WAYS)},
 }
 
 
@@ -89,7 +92,10 @@ def usable(rows):
 
 def by_way(rows):
     """{way to measure: usable rows}"""
-    found = {name: usable([in_window(row, name) for row in rows]) for name in WINDOWS}
+    found = {
+        name: usable([in_window(row, name) | {"type": row["windows"][name].type} for row in rows])
+        for name in WINDOWS
+    }
     fast_enough = [row for row in found[PRIMARY] if row["front speed [m/s]"] >= NEAR_ARREST]
     return found | {WITHOUT_NEAR_ARREST: fast_enough}
 
@@ -104,9 +110,9 @@ def speeds(rows):
 # y = slope x. R^2 compares with the mean of y, as for a line with an intercept: it says how much
 # better the fit is than no dependence on x at all. `exponent`: of a power law through the same
 # points, 1 if y is proportional to x; NaN unless all are positive. `largest`: deviation of a point
-# from the line, relative to the line.
-ProportionalFit = namedtuple("ProportionalFit", "slope r_squared points exponent largest")
-NO_FIT = ProportionalFit(np.nan, np.nan, 0, np.nan, np.nan)
+# from the line, relative to the line. `offset`: y where x is 0, of the line with an intercept.
+ProportionalFit = namedtuple("ProportionalFit", "slope r_squared exponent largest offset x y")
+NO_FIT = ProportionalFit(np.nan, np.nan, np.nan, np.nan, np.nan, (), ())
 
 
 def fit_through_origin(x, y):
@@ -116,6 +122,19 @@ def fit_through_origin(x, y):
     slope = (x @ y) / (x @ x)
     residual = ((y - slope * x) ** 2).sum()
     r_squared = 1 - residual / ((y - y.mean()) ** 2).sum()
-    are_positive = min(*x, *y) > 0
-    exponent = np.polyfit(np.log(x), np.log(y), 1)[0] if are_positive else np.nan
-    return ProportionalFit(slope, r_squared, len(x), exponent, np.abs(y / (slope * x) - 1).max())
+    exponent = exponent_of(np.stack([x, y], axis=1)) if min(*x, *y) > 0 else np.nan
+    largest, offset = np.abs(y / (slope * x) - 1).max(), np.polyfit(x, y, 1)[1]
+    return ProportionalFit(slope, r_squared, exponent, largest, offset, x, y)
+
+
+def exponent_of(points):
+    """Of a power law through rows of x and y; NaN if all x are the same."""
+    x, y = np.log(points.T)
+    x, y = x - x.mean(), y - y.mean()
+    return x @ y / (x @ x) if x.any() else np.nan
+
+
+def exponent_interval(fit):
+    """90 % interval, for which fronts are drawn."""
+    found = interval_by_runs(exponent_of, [[point] for point in zip(fit.x, fit.y)])
+    return [*found]

@@ -12,13 +12,13 @@ from events import FINE, WIDTH, slip_times
 from fig3 import slow_fronts as slow
 from fig3.commands import continued
 from maps import over_seeds
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import numbers
 
 MM = 1e3  # [mm/m]
 ALIKE = 1.2  # ratio of the speeds of neighbouring blocks, at most
 STIFFNESSES = (1.5e9, 2.25e9, 4.5e9, 6e9)  # slider.E [Pa]
-K_I = {  # the variant in which k_i varies, by convention; primary: as the SI says
+K_I = {  # the variant in which k_i varies, by the way to measure; primary: as the SI says
     PRIMARY: "k_i",
     "trigger's prestress unchanged": "k_i alone",
     "K scaled with E": "k_i and K",
@@ -104,13 +104,14 @@ def fit_of(rows):
 
 
 def fits_of(seed):
-    """A sample: rows, those that the claim is about, {way to measure: fit}, that of event II."""
+    """A sample: {way to measure: rows}, those that the claim is about, {way: fit}, and that of
+    event II."""
     rows = slow.by_way(fronts(seed))
     ways = {name: (rows[PRIMARY], k_i) for name, k_i in K_I.items()}
     ways |= {name: (of, K_I[PRIMARY]) for name, of in rows.items() if name != PRIMARY}
     fits = {name: fit_of(varied(of, k_i)) for name, (of, k_i) in ways.items()}
     of_SI = varied(rows[PRIMARY])
-    return SimpleNamespace(rows=rows[PRIMARY], varied=of_SI, fits=fits, event=fit(of_event()))
+    return SimpleNamespace(rows=rows, varied=of_SI, fits=fits, event=fit(of_event()))
 
 
 def each_seed():
@@ -145,8 +146,9 @@ def largest_ratio(row):
 
 def neighbours(of, way):
     """3C-neighbours: behind the front with the reference parameters, and those of all variants."""
-    ratios = [largest_ratio(row) for row in of.rows]
-    ours = [ratio for ratio, row in zip(ratios, of.rows) if row["variant"] == "reference"]
+    rows = of.rows[way]
+    ratios = [largest_ratio(row) for row in rows]
+    ours = [ratio for ratio, row in zip(ratios, rows) if row["variant"] == "reference"]
     return {
         "largest ratio of neighbours": ours[0] if ours else None,
         "fronts of all variants": len(ratios),

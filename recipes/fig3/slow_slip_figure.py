@@ -5,7 +5,7 @@ from rupture.figures import BLUE, EVENT, OF_PAPER, SINGLE, figure, save
 import paper
 from claims.spread import spread
 from fig3.slow_slip import MM, estimate_and_measured, fits_of, of_event
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import numbers, write_columns
 
 SHOWN = 1  # seed
@@ -46,7 +46,7 @@ def make(results):
     found = fits_of(SHOWN)
     slope = found.fits[PRIMARY].slope
     draw(found.varied, of_event(), slope, results / "fig3C-inset")
-    rows = [{"interface": "prepared"} | row for row in found.rows]
+    rows = [{"interface": "prepared"} | row for row in found.rows[PRIMARY]]
     rows += [{"interface": "event"} | row for row in of_event()]
     names = ["interface", "variant", "blocks", "front speed [m/s]", "estimate [m/s]"]
     names += ["slow slip [m/s]", "slowest [m/s]", "fastest [m/s]", "type", "point"]

@@ -9,11 +9,11 @@ from rupture.reports import LOADING_ZONE, values
 
 import maps
 from claims.samples import Samples, every
-from events import EVENTS, NO_SLOW_SLIP, all_continued, shown_event, units_of_branches
-from events import units_of_events, widened
+from events import EVENTS, NO_SLOW_SLIP, all_continued, shown_event, samples_of_branches
+from events import samples_of_events, widened
 from fig4 import strength
 from maps import order, places_of, spaced  # noqa: F401  (order: of claim 4D)
-from measure.conventions import CONVENTIONS, PRIMARY
+from measure.ways import WAYS, PRIMARY
 from measure.front_map import types_of
 from measure.pairs import share_of_lower
 
@@ -44,7 +44,7 @@ def wider(name):
 
 def branches():
     """Events I and II; those of the ensemble begin when the front is at the branch."""
-    return Samples({name: wider(name) for name in SHOWN}, units_of_branches())
+    return Samples({name: wider(name) for name in SHOWN}, samples_of_branches())
 
 
 def change_of_means(of):
@@ -55,7 +55,7 @@ def change_of_means(of):
 
 def types(of, way):
     """4AB: events that are not slow have nothing to compare."""
-    if of.fronts[way].type != "slow":
+    if of.fronts[way].type != "slow" or of.wider[way].type is None:
         return None
     return {
         "front with the wider phi": of.wider[way].type,
@@ -70,7 +70,7 @@ def stress(of, way):
     front = of.fronts[way]
     x, v_c, tau = values(front.x), values(front.v_c), values(of.strength.tau_bar_0)
     counts = (x > LOADING_ZONE) & (v_c > 0)
-    is_slow = v_c < front.c_s / 20
+    is_slow = v_c < front.c_s * front.criteria.slow_below
     slow, fast = tau[counts & is_slow], tau[counts & ~is_slow]
     if not len(slow):
         return None
@@ -83,7 +83,7 @@ def stress(of, way):
 
 
 def each_event():
-    return Samples({name: wider(name) for name in SHOWN}, units_of_events())
+    return Samples({name: wider(name) for name in SHOWN}, samples_of_events())
 
 
 # --- C: the strength of blocks -----------------------------------------------------------------
@@ -137,8 +137,8 @@ def gathered(seed):
 
 
 def gathering():
-    units = maps.units_of_seeds(gathered, "seeds")
-    return Samples({"": units[0].sample} if units else {}, {PRIMARY: units})
+    taken = maps.samples_of_seeds(gathered, "seeds")
+    return Samples({"": taken[0].found} if taken else {}, {PRIMARY: taken})
 
 
 def friction(of, way):
@@ -185,7 +185,7 @@ def apart(pairs, way, kind):
 
 def edge(pairs, way):
     """4D-edge"""
-    change = max(apart(pairs, any_way, "fast") for any_way in CONVENTIONS)
+    change = max(apart(pairs, any_way, "fast") for any_way in WAYS)
     return {
         "largest difference of the edges": apart(pairs, way, "slow"),
         "largest change of the edge of fast fronts by slow slip": change,

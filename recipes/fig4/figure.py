@@ -7,7 +7,7 @@ from rupture.plotting import draw_pinned, draw_pinned_scale
 from claims.claim import Number
 from fig4 import strength_figure
 from fig4.commands import REGION, SHOWN, map_of_types, edges_with_and_without, wider
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.map_panels import write_map
 from measure.tables import write_table
 

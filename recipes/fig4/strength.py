@@ -5,7 +5,7 @@ from collections import namedtuple
 import numpy as np
 from rupture.reports import LOADING_ZONE, values
 
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import SLOW_BELOW, type_on_map
 from measure.pairs import share_of_lower
 

@@ -7,16 +7,17 @@ import numpy as np
 from rupture.once import keep, measured, run
 from rupture.reports import value, values
 
-from claims.samples import Samples, Unit, every, sampled
-from events import FINE, checkpoint_at, shown_event, units_of_events
+from claims.samples import Samples, Sample, every, sampled
+from events import CROSSINGS, FINE, checkpoint_at, samples_of_events, shown_event
 from fig5.quasistatic_stretch import advances_of, stretch_of
 from maps import spaced
-from measure.conventions import PRIMARY, SETS, by_way
+from measure.ways import PRIMARY, by_way
 from measure.drawn import nothing_drawn
-from measure.fronts import middle_of
+from measure.fronts import is_cut, middle_of
 
 EVERY = 0.01  # [s], checkpoints of runs at h = 0
 RECORDED = "--record record.h5 --record-every 1e-3"
+CROSSED = f"{RECORDED} {CROSSINGS}"
 BRANCHED = 0.03  # [s]; here runs get seeds of their own: the first junction breaks at 0.0378 s
 SEEDS, SEEDS_WITHOUT_FORCE = range(401, 421), range(401, 406)
 MOVES = 2  # blocks; what moves less with the drive has nothing to compare
@@ -37,7 +38,7 @@ def event():
     return SimpleNamespace(
         **vars(of),
         undriven_record=record,
-        undriven=run(f"analyze front {record} --event 0"),
+        undriven={PRIMARY: run(f"analyze front {record} --event 0")},
         stop=middle_of(of.front.slow),
     )
 
@@ -115,8 +116,8 @@ def seeds():
 def without_force(seed):
     """Slipping junctions carry no force (f_slip = 0), so that nothing can slip slowly."""
     changed = f"--set driving.h=0 --set junctions.mu_d=0 --set numerics.seed={seed}"
-    record = run(f"load {changed} -o load.h5 --until 0.75 {RECORDED}")["record.h5"]
-    events = by_way(f"analyze events {record}", SETS["raw"])
+    record = run(f"load {changed} -o load.h5 --until 0.75 {CROSSED}")["record.h5"]
+    events = by_way(f"analyze events {record}")
     return SimpleNamespace(
         events={way: report.events for way, report in events.items()},
         stretch=measured(stretch_of, record, EVERY),
@@ -127,13 +128,15 @@ def without_force(seed):
 
 
 def each_event():
-    return Samples({"": event()}, units_of_events())
+    return Samples({"": event()}, samples_of_events())
 
 
 def difference(of, way):
     """5A: the largest of all blocks that rupture after the driving has stopped."""
-    front = of.fronts[way]
-    ruptured, undriven = values(front.t_rupture), values(of.undriven.t_rupture)
+    front, later = of.fronts[way], of.undriven[way]
+    if is_cut(later):
+        return None
+    ruptured, undriven = values(front.t_rupture), values(later.t_rupture)
     apart = np.abs(undriven - ruptured)[ruptured > of.stop]
     reached = np.array(front.x)[ruptured <= of.stop]
     return {
@@ -144,7 +147,7 @@ def difference(of, way):
 
 
 def each_branch():
-    return Samples({"": middle_branch()}, {PRIMARY: [Unit(seed, of) for seed, of in seeds()]})
+    return Samples({"": middle_branch()}, {PRIMARY: [Sample(seed, of) for seed, of in seeds()]})
 
 
 def speed(of, way):
@@ -162,8 +165,8 @@ def speed(of, way):
 def each_without_force():
     shown, *_ = SEEDS_WITHOUT_FORCE
     found = sampled(without_force, [(seed,) for seed in SEEDS_WITHOUT_FORCE], "runs at h = 0")
-    units = [Unit(seed, of) for (seed,), of in found]
-    return Samples({"": without_force(shown)}, {PRIMARY: units})
+    taken = [Sample(seed, of) for (seed,), of in found]
+    return Samples({"": without_force(shown)}, {PRIMARY: taken})
 
 
 def slowed(of, way):

@@ -8,6 +8,7 @@ from rupture.reports import values
 from fig5 import quasistatic
 from fig5.commands import event
 from measure.tables import write_table
+from measure.ways import PRIMARY
 
 STOP = {"color": CHANGED, "linestyle": ":", "label": "driving stops"}
 
@@ -45,7 +46,7 @@ def draw(records, fronts, t_stop, stem):
 
 def make(results):
     of = event()
-    fronts = of.front, of.undriven
+    fronts = of.front, of.undriven[PRIMARY]
     records = [rupture.open(record) for record in (of.record, of.undriven_record)]
     draw(records, fronts, of.stop, results / "fig5A")
     names = ["x [m]", "t_rupture driven [s]", "t_rupture driving stopped [s]"]

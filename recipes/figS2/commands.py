@@ -4,9 +4,9 @@ from functools import cache
 
 from rupture.once import keep
 
-from claims.samples import Samples, Unit
+from claims.samples import Samples, Sample
 from events import all_simplified, shown_events, simplified
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import is_fast_slow
 
 
@@ -26,14 +26,14 @@ def in_way(event, events):
 
 
 def transitions():
-    """A sample is an event, found in each way, and continued without slow slip. The load has no
-    seed, so each event is a run of its own."""
+    """A sample is an event, found in each way, and continued without slow slip. A seed has no
+    effect, so there is one run."""
     found = [
         ({way: in_way(of.event, of_way) for way, of_way in shown_events("simplified").items()}, of)
         for of in all_simplified()
     ]
-    units = [Unit(None, (fronts, of.without)) for fronts, of in found]
-    return Samples({"": ({PRIMARY: shown().front}, shown().without)}, {PRIMARY: units})
+    taken = [Sample(1, (fronts, of.without)) for fronts, of in found]
+    return Samples({"": ({PRIMARY: shown().front}, shown().without)}, {PRIMARY: taken})
 
 
 def transition(of, way):

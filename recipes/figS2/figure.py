@@ -9,7 +9,7 @@ from rupture.reports import values
 
 from events import all_simplified
 from figS2.commands import shown
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import is_fast_slow
 from measure.tables import write_events, write_fronts
 

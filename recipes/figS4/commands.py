@@ -9,7 +9,7 @@ from rupture.reports import value, values
 from claims.samples import Samples
 from fig4.commands import REGION, branches, change_of_means, wider
 from figS4.junctions import beside_uniform
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 
 def shown():
@@ -34,14 +34,16 @@ def phi(of, _):
 def early_branches():
     """The branches before the region in which phi changes."""
     found = branches()
-    return Samples(found.shown, {PRIMARY: found.units[PRIMARY]})
+    return Samples(found.shown, {PRIMARY: found.taken[PRIMARY]})
 
 
 def beginning(of, way):
     """S4-begin: blocks that had ruptured when the event was changed do not count."""
     front, wider = of.fronts[way], of.wider[way]
+    if wider.type is None:
+        return None
     x, before, after = map(values, (front.x, front.t_rupture, wider.t_rupture))
-    since = 0 if of.block is None else before[of.block]
+    since = 0 if of.block is None else of.fronts[PRIMARY].t_rupture[of.block]
     apart = np.abs(after - before)[(x < REGION * front.L) & (before > since)]
     largest = apart.max() if len(apart) else np.nan
     return {

@@ -7,7 +7,7 @@ from rupture.plotting import draw_pinned, draw_pinned_scale
 
 from figS4.commands import shown
 from figS4.junctions import Junctions
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.tables import write_table
 
 TITLES = ("event II, unchanged", r"event II, wider $\varphi$ beyond $0.25\,L$")

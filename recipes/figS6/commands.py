@@ -13,7 +13,7 @@ from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim S6A)
 from fig4 import commands as fig4
 from maps import order, places_of, spaced  # noqa: F401  (of claim S6B)
 from measure import front_map
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 LAW = "decaying"
 TAU_BARS, SIGMA_BARS = spaced(-0.28, 0.48, 0.04), spaced(0, 0.285, 0.015)
@@ -46,7 +46,7 @@ def map_of_types():
 
 
 def each_run():
-    return Samples({"": shown_of(LAW)}, events.units_of_runs(LAW))
+    return Samples({"": shown_of(LAW)}, events.samples_of_runs(LAW))
 
 
 def each_seed():
@@ -59,8 +59,8 @@ def both_maps(seed):
 
 def beside_reference():
     """A sample is this map and that of Figure 4 D, of a seed."""
-    units = maps.units_of_seeds(both_maps, "maps")
-    return Samples({"": units[0].sample} if units else {}, {PRIMARY: units})
+    taken = maps.samples_of_seeds(both_maps, "maps")
+    return Samples({"": taken[0].found} if taken else {}, {PRIMARY: taken})
 
 
 def slow_range(both, way):

@@ -7,7 +7,7 @@ from rupture.plotting import draw_pinned, draw_pinned_scale, name_line
 
 from events import shown_events
 from figS6.commands import LAW, event, map_of_types
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.map_panels import write_map
 from measure.tables import write_events, write_fronts
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from rupture.reports import values
 
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import TYPES, type_on_map
 from measure.tables import SLOW_STRETCH, write_table
 
@@ -125,11 +125,11 @@ def steps_back(types):
     return found
 
 
-def out_of_order(fronts):
+def out_of_order(fronts, way=PRIMARY):
     """Places that are fast below-left of an arrested one, over all seeds, and those where the type
     steps back along tau_bar_0."""
-    found = {fast for fast, _ in fast_below_left_of_arrested(types_of_seeds(fronts))}
-    return found | steps_back(types_of(fronts))
+    found = {fast for fast, _ in fast_below_left_of_arrested(types_of_seeds(fronts, way))}
+    return found | steps_back(types_of(fronts, way))
 
 
 def medians_ascend(types, sigma):

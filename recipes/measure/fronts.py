@@ -4,6 +4,7 @@
 """
 
 PRIMARY = "primary"  # the way to measure if no other is named
+RAW = "raw line"  # the front is at each block that ruptures, even if alone
 SLOW_BELOW = 1 / 20  # of c_s; the default of the programs
 STENCIL = 5  # blocks; the default of the programs
 FAST_OVER_SLOW = 10  # of a front that becomes slow
@@ -18,6 +19,24 @@ def middle_of(stretch):
 
 def front_spans(front):
     return front["type"] in ("slow", "fast")
+
+
+def is_cut(front):
+    """Whether the record ends amid the event, so that its type is not known."""
+    return front["type"] is None
+
+
+def last_block(front, block, way):
+    """The number of the last block that a front reaches which was at `block` when the record began:
+    it stops at one that does not rupture. The raw line goes on to those that rupture beyond."""
+    if way == RAW:
+        return max(n for n, t in enumerate(front["t_rupture"]) if t is not None or n == block)
+    last = block
+    for times in [*zip(front["t_rupture"], front["t_before"])][block + 1 :]:
+        if times == (None, None):
+            break
+        last += 1
+    return last
 
 
 def is_fast_slow(front):

@@ -7,6 +7,7 @@ import markdown
 from markupsafe import Markup
 
 from claims.claim import number, split_unit
+from rupture.errors import Failure
 from report.symbols import in_html, in_unicode
 
 NOT_RUN = "not run"
@@ -36,8 +37,15 @@ def filled_sentence(text, known):
 
 
 def filled(text, claims):
-    """The text with its places filled. A place may extend over the end of a line."""
+    """The text with its places filled. A place may extend over the end of a line. Raises Failure if
+    one names a quantity that was not measured."""
     known = {(one.id, k): value_text(k, v) for one in claims for k, v in one.measured.items()}
+    measured = {claim_id for claim_id, _ in known}
+    for claim_id, name in PLACE.findall(text):
+        if claim_id in measured and (claim_id, " ".join(name.split())) not in known:
+            raise Failure(
+                f"A caption has {{{claim_id}: {name}}}, which {claim_id} does not measure."
+            )
     parts = SENTENCE.split(text)  # sentences, and between them what ends one
     return "".join(p if n % 2 else filled_sentence(p, known) for n, p in enumerate(parts))
 

@@ -1,28 +1,28 @@
 """All claims at a glance, figure by figure (a specification curve, Simonsohn et al. 2020): on the
-left, for which share of its units each claim holds, on the right, under which convention."""
+left, for which share of its samples each claim holds, on the right, by which way to measure."""
 
 import re
 from collections import Counter
 
 from claims.claim import DOES_NOT_HOLD, HOLDS
-from claims.judge import needed
 from claims.table import row_of
-from measure.conventions import PRIMARY
+from claims.words import needed
+from measure.ways import PRIMARY
 from claims.recipes import label
 from rupture.figures import BLACK, BLUE, DOUBLE, MM, SKY, VERMILION, figure, plt, save
 
 ROW, HEAD = 3.9 * MM, 42 * MM  # heights of a claim, and of what is above all claims [inch]
 SEEN = (
-    "A row per claim, figure by figure. Left: for which share of its units it holds, and whether it"
-    " holds for the case shown; right: the share under each convention that several claims have,"
-    " and the least under others."
+    "A row per claim, figure by figure. Left: for which share of its samples it holds, and whether"
+    " it holds for what is shown; right: the share by each way to measure that several claims have,"
+    " and the least by others."
 )
-GAP = 0.5  # before the next figure, behind the primary convention, and before OTHERS
-SEVERAL = 4  # claims whose common convention has a column
-OTHERS = "least under others"
-CASES = {
-    HOLDS: ("^", "the case shown: holds"),
-    DOES_NOT_HOLD: ("v", "the case shown: does not hold"),
+GAP = 0.5  # before the next figure, behind the primary way, and before OTHERS
+SEVERAL = 4  # claims whose common way has a column
+OTHERS = "least by others"
+MARKS = {
+    HOLDS: ("^", "what is shown: holds"),
+    DOES_NOT_HOLD: ("v", "what is shown: does not hold"),
 }
 PRIMARY_LOOK = {"color": BLACK, "marker": "s", "linewidth": 0.8}
 OTHER_LOOK = {"color": SKY, "marker": "o", "linestyle": "", "markeredgecolor": BLUE}
@@ -30,8 +30,8 @@ NEEDED_LOOK = {"color": VERMILION, "linestyle": ":", "linewidth": 1.2}
 
 
 def places_of(claims):
-    """{convention: place of its column}: the primary one, then those of several claims."""
-    times = Counter(share.convention for claim in claims for share in claim.shares)
+    """{way to measure: place of its column}: the primary one, then those of several claims."""
+    times = Counter(share.way for claim in claims for share in claim.shares)
     common = [name for name, count in times.most_common() if count >= SEVERAL and name != PRIMARY]
     names = [PRIMARY, *common, OTHERS]
     return {name: n + GAP * (n > 0) + GAP * (name == OTHERS) for n, name in enumerate(names)}
@@ -44,13 +44,13 @@ def draw_shares(axes, claim, height):
         axes.plot([primary.low, primary.high], [height, height], color=BLACK, linewidth=0.8)
         axes.vlines(needed(row_of(claim.id)), height - 0.4, height + 0.4, **NEEDED_LOOK)
     axes.plot(primary.part(), height, **PRIMARY_LOOK)
-    if claim.case is not None:
-        axes.plot(1.1, height, CASES[claim.case][0], color=BLACK, markersize=4)
+    if claim.shown is not None:
+        axes.plot(1.1, height, MARKS[claim.shown][0], color=BLACK, markersize=4)
 
 
-def draw_conventions(axes, places, claim, height):
+def draw_ways(axes, places, claim, height):
     """Cells as dark as the share is large; OTHERS has the least of those without a column."""
-    shares = {share.convention: share.part() for share in claim.shares}
+    shares = {share.way: share.part() for share in claim.shares}
     others = [part for name, part in shares.items() if name not in places]
     cells = {name: part for name, part in shares.items() if name in places}
     for name, part in (cells | ({OTHERS: min(others)} if others else {})).items():
@@ -61,12 +61,12 @@ def draw_conventions(axes, places, claim, height):
 
 
 def draw_legend(axes):
-    """Above the axes and the names of the claims, beside the names of the conventions."""
+    """Above the axes and the names of the claims, beside the names of the ways."""
     looks = {
-        "primary convention, 90 % interval": PRIMARY_LOOK,
-        "other conventions": OTHER_LOOK,
+        "primary way to measure, 90 % interval": PRIMARY_LOOK,
+        "other ways": OTHER_LOOK,
         "needed for “reproduced”": NEEDED_LOOK,
-        **{text: {"color": BLACK, "marker": m, "linestyle": ""} for m, text in CASES.values()},
+        **{text: {"color": BLACK, "marker": m, "linestyle": ""} for m, text in MARKS.values()},
     }
     lines = [plt.Line2D([], [], label=name, **look) for name, look in looks.items()]
     legend = axes.legend(handles=lines, loc="lower right", bbox_to_anchor=(1.05, 1.01))
@@ -84,7 +84,7 @@ def draw_glance(claims, stem):
     )
     for claim in claims:
         draw_shares(left, claim, heights[claim.id])
-        draw_conventions(right, places, claim, heights[claim.id])
+        draw_ways(right, places, claim, heights[claim.id])
         left.axhline(heights[claim.id], color=BLACK, linewidth=0.1, zorder=0)
     left.set(xlabel="share of the samples", xlim=(-0.05, 1.18), ylim=(last + 0.7, -0.7))
     names_of = [(label(recipe) or recipe) if new else "" for recipe, new in zip(recipes, first)]

@@ -11,7 +11,7 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from report.caption import as_html, filled, seen
-from claims.claim import CLAIMS, STANDINGS, number, read_results
+from claims.claim import CLAIMS, DIFFERS, HOLDS, STANDINGS, VERDICTS, number, read_results
 from claims.table import read, rows_of, table
 from claims.own_result import results_in
 from claims.released import released, version_of
@@ -112,7 +112,7 @@ def duration(seconds):
 
 
 def glance_picture(results, claims):
-    """Draws the picture of all claims over units; None if there is none."""
+    """Draws the picture of all claims over samples; None if there is none."""
     found = [claim for claim in claims if claim.shares]
     if not found:
         return None
@@ -121,15 +121,21 @@ def glance_picture(results, claims):
 
 
 def in_words(claims):
-    """What came out, in two sentences; nothing without verdicts."""
-    findings = [claim for claim in claims if claim.kind == "finding" and claim.verdict]
-    if not findings:
-        return ""
-    count = Counter(claim.verdict for claim in findings)
-    missed = [f"{one.id} ({one.paper})" for one in findings if one.verdict == "differs"]
-    said = f"Of {len(findings)} findings of the paper, {count['reproduced']} are reproduced, and"
-    said += f" {count['depends']} depend on the event or on how it is measured."
-    return said + (f" Not met: {'; '.join(missed)}." if missed else "")
+    """What came out: verdicts, and how many findings without one hold as they are shown."""
+    findings = [claim for claim in claims if claim.kind == "finding"]
+    judged = [claim for claim in findings if claim.verdict]
+    shown = [claim.shown for claim in findings if not claim.verdict and claim.shown]
+    texts = []
+    if judged:
+        count = Counter(claim.verdict for claim in judged)
+        words = ", ".join(f"{count[word]} {word}" for word in VERDICTS if count[word])
+        differ = [f"{one.id} ({one.paper})" for one in judged if one.verdict == DIFFERS]
+        texts.append(f"Findings of the paper with a verdict: {len(judged)}, of which {words}.")
+        texts += [f"What differs: {'; '.join(differ)}."] if differ else []
+    if shown:
+        text = f"Without a verdict, {shown.count(HOLDS)} of {len(shown)} hold for what is shown"
+        texts.append(f"{text}: one event or set; a verdict needs other runs.")
+    return " ".join(texts)
 
 
 def contents(root, paper):

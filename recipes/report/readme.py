@@ -13,14 +13,15 @@ from dataclasses import fields
 from pathlib import Path
 from types import SimpleNamespace
 
-from report.caption import PLACE, filled
-from claims.claim import VERDICTS, Number, number
+from report.caption import PLACE
+from claims.claim import DIFFERS, REPRODUCED, VERDICTS, Number
+from claims.conditions import met
 from measure.tables import read_rows, write_table
+from rupture.errors import Failure
 from rupture.replacing import replacing, write_whole
 
 README, PICTURE = "README.md", "docs/figure-2.png"
 TABLE, NUMBERS = "docs/verdicts.csv", "docs/numbers.csv"
-FIRST, FIRST_ROUND = "docs/first-criteria.csv", "2026-11-21"  # criteria, and when those were fixed
 AFTER_RESULTS = re.compile(r"\b(after|knowing)\b")  # in when a criterion was fixed
 BLOCK = re.compile(r"(?<=<!-- results -->\n).*?(?=<!-- /results -->)", re.DOTALL)
 SENTENCES = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
@@ -32,18 +33,24 @@ def short(value, digits=3):
 
 
 def row_of(result, version):
-    """The share is that under the primary convention, the numbers those that sentences name."""
-    found = result.measured.items()
-    numbers = {key: short(value) for key, value in found if (result.id, key) in PLACES}
-    share = next(iter(getattr(result, "shares", [])), SimpleNamespace(holds="", units=""))
+    """The share is that in the primary way, the numbers those that sentences name."""
+    expected = getattr(result, "expected", {})
+    found = result.measured | {
+        "expectations": len(expected),
+        "met": sum(met(asked, result.measured[name]) for name, asked in expected.items()),
+    }
+    shares = getattr(result, "shares", [])
+    found |= {share.way: f"{share.holds} of {share.samples}" for share in shares}
+    numbers = {key: short(value, 4) for key, value in found.items() if (result.id, key) in PLACES}
+    primary = next(iter(shares), SimpleNamespace(holds="", samples=""))
     texts = (getattr(result, name, "") for name in ("kind", "fixed", "verdict"))
-    return [result.id, *texts, share.holds, share.units, version, json.dumps(numbers)]
+    return [result.id, *texts, primary.holds, primary.samples, version, json.dumps(numbers)]
 
 
 def write_tables(root, claims, own, numbers, version):
     """Writes the tables: of claims and own results, and of the paper's numbers. An own result that
     `all` leaves out keeps its row."""
-    names = ["id", "kind", "fixed", "verdict", "holds", "units", "version", "numbers"]
+    names = ["id", "kind", "fixed", "verdict", "holds", "samples", "version", "numbers"]
     ours = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["kind"]}
     ours |= {result.id: row_of(result, version) for result in own}
     named = [row for name, row in ours.items() if name in dict(PLACES)]
@@ -58,41 +65,39 @@ def write_numbers(path, numbers):
     write_table(path, columns, rows)
 
 
-def table_of(rows):
-    """The table in Markdown, with the rows of which the paper has a number."""
-
-    def cell(row, *names):
-        found = [number(float(row[name])) if row[name] else "" for name in names]
-        return found[0] + (f" ({found[1]} to {found[2]})" if found[1:] and found[1] else "")
-
-    lines = ["| | paper | our event most like it | our median (5 to 95 %) |", "|---|---|---|---|"]
-    for row in rows:
-        if row["paper"]:
-            ours = cell(row, "median", "low", "high") or cell(row, "shown")
-            cells = cell(row, "paper"), cell(row, "most_like"), ours
-            lines.append(f"| {row['quantity']} | {' | '.join(cells)} |")
-    return re.sub(r"<(\w+)>", r"⟨\1⟩", "\n".join(lines)) + "\n"  # no tag of HTML
+def as_shown(name, value):
+    """With the digits that the lattice allows: a block is 0.018 L, a stencil 0.07 L."""
+    if not isinstance(value, float):
+        return value
+    if name.endswith("/c_s"):
+        return f"c_s/{1 / value:.2g}"
+    return f"{value:.2f}" if name.endswith("[L]") else short(value, 2 if "[" in name else 3)
 
 
 def counts_of(rows):
-    """Counts verdicts, and criteria worded or changed after results."""
+    """Counts verdicts, and criteria worded or changed after results; names what differs."""
     verdicts = Counter(row["verdict"] for row in rows)
-    of_reproduced = [row["fixed"] for row in rows if row["verdict"] == "reproduced"]
+    of_reproduced = [row["fixed"] for row in rows if row["verdict"] == REPRODUCED]
     late = sum(bool(AFTER_RESULTS.search(fixed)) for fixed in of_reproduced)
-    counts = dict.fromkeys(VERDICTS, 0) | verdicts
-    return counts | {"claims": verdicts.total(), "reproduced after results": late}
+    counts: dict = dict.fromkeys(VERDICTS, 0) | verdicts
+    differ = ", ".join(row["id"] for row in rows if row["verdict"] == DIFFERS)
+    counts |= {"that differ": differ or "none", "reproduced after results": late}
+    return counts | {"claims": verdicts.total()}
 
 
 def sentences(root):
-    """The results in words, from the tables in docs/."""
-    rows, numbers = (read_rows(root / name) for name in (TABLE, NUMBERS))
-    results = {row["id"]: row | json.loads(row["numbers"]) for row in rows}
+    """From the table in docs/. A place that nothing fills is an error."""
+    rows = read_rows(root / TABLE)
+    numbers = {row["id"]: json.loads(row["numbers"]) for row in rows}
+    found = {
+        row["id"]: row | {name: as_shown(name, of) for name, of in numbers[row["id"]].items()}
+        for row in rows
+    }
     for name, kind in (("findings", "finding"), ("checks", "check")):
-        results[name] = counts_of([row for row in rows if row["kind"] == kind and row["verdict"]])
-    first = (row for row in read_rows(root / FIRST) if row["fixed"].startswith(FIRST_ROUND))
-    results["first"] = counts_of([*first])
-    text = filled(SENTENCES, [SimpleNamespace(id=i, measured=m) for i, m in results.items()])
-    return text.replace("{table}", table_of(numbers))
+        found[name] = counts_of([row for row in rows if row["kind"] == kind and row["verdict"]])
+    if missing := [f"{i}: {name}" for i, name in PLACES if name not in found.get(i, {})]:
+        raise Failure(f"README.md has places that nothing fills: {'; '.join(sorted(missing))}")
+    return PLACE.sub(lambda place: str(found[place[1]][place[2]]), SENTENCES)
 
 
 def write_readme(root):

@@ -18,7 +18,7 @@ LOGS = Path("build/log")
 PROGRAMS = Path("build/release/bin")
 READ = ("recipes", "python", "checkpoints", "docs", "benchmarks", "CITATION.cff")
 # Recipes that `all` leaves out: they judge no claim and take long.
-BESIDE_ALL = ("barrier", "choices", "convergence", "speeds")
+BESIDE_ALL = ("barrier", "choices", "convergence", "places", "speeds")
 
 
 def refuse_links(paths):

@@ -7,12 +7,12 @@ from rupture.once import run
 
 import maps
 from claims.samples import Samples, every
-from events import FINE, LAWS, units_of_runs
+from events import FINE, LAWS, samples_of_runs
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim exponential-event)
 from fig3.commands import continued
 from maps import fronts_at, places_of, plain_front_at, spaced
 from measure import front_map
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.front_map import types_of
 from measure.fronts import TYPES
 
@@ -23,25 +23,25 @@ COARSE_MAP = places_of(spaced(0.02, 0.29, 0.03), spaced(0, 0.24, 0.08))
 
 
 def each_run():
-    return Samples({"": shown_of("exponential")}, units_of_runs("exponential"))
+    return Samples({"": shown_of("exponential")}, samples_of_runs("exponential"))
 
 
 @cache
 def exponential_map():
     """A map on the grid of Figure 4 D, with one seed."""
     grid = places_of(spaced(0.03, 0.41, 0.02), spaced(0, 0.285, 0.015))
-    return fronts_at(grid, [1], LAWS["exponential"], "exponential map", plain_front_at)
+    return fronts_at(grid, [1], LAWS["exponential"], "exponential map")
 
 
 def exponential():
     return Samples({"": exponential_map()})
 
 
-def order(fronts, _):
+def order(fronts, way):
     """exponential-map"""
-    kinds = list(types_of(fronts).values())
+    kinds = list(types_of(fronts, way).values())
     counts = {f"{kind} grid points of the map": kinds.count(kind) for kind in TYPES}
-    return counts | {"places out of order on the map": len(front_map.out_of_order(fronts))}
+    return counts | {"places out of order on the map": len(front_map.out_of_order(fronts, way))}
 
 
 # --- other lengths, and other energies in the trigger region -----------------------------------
@@ -79,8 +79,8 @@ def geometry_of_seed(seed):
 
 
 def each_seed():
-    units = maps.units_of_seeds(geometry_of_seed, "geometry")
-    return Samples({"": geometry()}, {PRIMARY: units})
+    taken = maps.samples_of_seeds(geometry_of_seed, "geometry")
+    return Samples({"": geometry()}, {PRIMARY: taken})
 
 
 def order_of_all(fronts, way):

@@ -5,7 +5,7 @@ from rupture.figures import DOUBLE, FAST, SINGLE, SLOW, figure, lettered, save
 from rupture.reports import values
 
 from events import shown_events
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.front_map import types_of, write_types, write_variants
 from measure.fronts import is_fast_only
 from measure.map_panels import draw_maps, draw_regions, name_regions

@@ -61,7 +61,7 @@ def complete(line):
         ("reproduce fig2 figS6", ["figS6"]),
         ("reproduce sweep ''", ["my.ini", "folder"]),
         ("analyze front --event ''", ["first-spanning"]),
-        ("reproduce --pro", ["--profile", "--programs"]),
+        ("reproduce --pro", ["--programs"]),
         ("restart folder/", ["folder/c.h5"]),
         ("load ''", []),
         ("restart ''", INPUTS),

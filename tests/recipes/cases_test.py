@@ -16,7 +16,7 @@ from claims_test import copied
 from conftest import approx
 from examples import WORDS
 from fig2.commands import fast_slow_fast, shown_of
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.slip import AFTER, peaks_of
 
 IN_TIME = "fast, slow and fast in order of time"
@@ -55,7 +55,8 @@ def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_
 
 
 LINE = {"t_rupture": [0.0, 1e-3, None, 3e-3], "x": [0.01, 0.02, 0.03, 0.04], "L": 0.1}
-STOPPED = {"fronts": {PRIMARY: LINE | {"in_words": None}}, "undriven": LINE, "stop": 1e-3}
+STOPPED: dict = {"fronts": {PRIMARY: LINE | {"in_words": None}}, "stop": 1e-3}
+STOPPED["undriven"] = {PRIMARY: LINE | {"type": "slow"}}
 EVENT = {"F_T_before": 2.0, "F_T_after": 1.0, "t_rupture": [0.0]}
 TIMES = (0.5, 1.0, 2.0, 3.0)  # the first of these is not over
 RUN = {PRIMARY: [EVENT | {"t_start": t, "spanning": t != 1, "is_over": t > 0.5} for t in TIMES]}

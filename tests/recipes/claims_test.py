@@ -3,11 +3,11 @@
 import ast
 import inspect
 
-from pytest import mark
+from pytest import fixture, mark
 from rupture.once import Report
 
 from claims.conditions import as_number, met
-from claims.judge import cases_of, function
+from claims.judge import found_in, function
 from claims.recipes import RECIPES, paper_of, recipe_names
 from claims.table import table
 from examples import EXAMPLES, Instead
@@ -37,12 +37,18 @@ def changed(sample, change):
 def answers(measured, conditions, example):
     """Whether the claim holds for this sample, and with each change of it."""
     for change in ({}, *example.within, *example.beyond):
-        [case] = cases_of(measured, changed(example.sample, change))
-        yield all(met(wanted, case[name]) for name, wanted in conditions.items())
+        [one] = found_in(measured, changed(example.sample, change))
+        yield all(met(wanted, one[name]) for name, wanted in conditions.items())
 
 
 def expected(example):
     return [True] * (1 + len(example.within)) + [False] * len(example.beyond)
+
+
+@fixture(autouse=True)
+def few_resamples(monkeypatch):
+    """So many are enough where runs are of two kinds, as in the examples."""
+    monkeypatch.setattr("claims.resampling.RESAMPLES", 40)
 
 
 ROWS: dict = {}
@@ -69,6 +75,13 @@ def test_a_row_names_functions_of_its_recipe_that_say_which_claim_they_measure(c
     assert len(inspect.signature(function(row, "measured")).parameters) == 2
     named = row.get("like", claim_id.rpartition("/")[2])
     assert named in function(row, "measured").__doc__
+
+
+@mark.parametrize("claim_id", ROWS)
+def test_what_is_measured_in_several_ways_differs_by_way(claim_id):
+    of = inspect.unwrap(function(ROWS[claim_id], "measured"))
+    names = [node.id for node in ast.walk(ast.parse(inspect.getsource(of))) if hasattr(node, "id")]
+    assert "way" in names or not ROWS[claim_id].get("ways")
 
 
 TURNED = {"at_least": "at_most", "at_most": "at_least", "above": "below", "below": "above"}

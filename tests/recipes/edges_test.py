@@ -9,7 +9,7 @@ import maps
 from conftest import approx
 from convergence import continuum, lattice
 from fig4.commands import apart
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.fronts import TYPES
 
 

@@ -10,7 +10,7 @@ from conftest import approx
 from event_numbers import numbers_of_events
 from fig2.from_scratch import choose
 from fig2.most_like import candidates, ratios_of, unlikeness
-from measure.conventions import CONVENTIONS, PRIMARY
+from measure.ways import WAYS, PRIMARY
 
 C_S, L = 1000.0, 0.1
 
@@ -43,8 +43,8 @@ class TestChoice:
 
 class TestConventions:
     def test_each_differs_from_the_primary_one_in_one_way(self):
-        assert CONVENTIONS[PRIMARY] == ""
-        others = [options for name, options in CONVENTIONS.items() if name != PRIMARY]
+        assert WAYS[PRIMARY] == ""
+        others = [options for name, options in WAYS.items() if name != PRIMARY]
         assert {options.count("--") for options in others} == {1}
 
 

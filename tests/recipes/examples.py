@@ -4,9 +4,10 @@ the paper.
 
 A change is {"part.entry": value}; of a list, {"part.3": value}. `Instead` is another sample."""
 
+from math import nan
 from types import SimpleNamespace
 
-from measure.conventions import CONVENTIONS, PRIMARY, WAYS
+from measure.ways import WAYS, PRIMARY, ON_MAP
 
 
 class Instead(SimpleNamespace):
@@ -56,8 +57,17 @@ COURSE["slip"] = [0.0, 0.6e-5, 1e-5, 1e-5, 1.2e-5, 3e-5]
 LINE: dict = {"x": [0.01, 0.02, 0.03, 0.04], "t_rupture": [0.0, 1e-3, 2e-3, 3e-3], "L": L}
 SIMPLIFIED: dict = {"type": "slow", "slow": {"fast_before": 100.0, "speed": 10.0}}
 SIMPLIFIED["slow"]["duration"] = 0.5e-3
+NEIGHBOURS = {"per_block": {"x": [0.0, 2.5e-3], "speed": [1, 1.2]}}
 STEADY = {"mu": [0.2, 0.19, 0.18], "mu_theory": [0.2, 0.19, 0.18], "mu_error": [0.0]}
-FIT = {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0, "largest": 0.0}
+FIT: dict = {"slope": 1.0, "r_squared": 0.95, "exponent": 1.0, "largest": 0.0, "offset": 0.0}
+FIT |= {"x": [1.0, 2.0], "y": [1.0, 2.0]}
+FITS: dict = {"full": FIT | {"slope": 1.8}, "simplified": FIT | {"slope": 1.5}}
+FITS |= {f"{model}, unscaled": FIT | {"r_squared": 0.7} for model in [*FITS]}
+FITS |= {f"{model}, faster": FIT for model in ("full", "simplified")}
+# Blocks 9 to 22 rupture after the branch at block 8, block 23 before it, and none beyond.
+ARRESTED: dict = {"type": "arrested", "L": L, "t_rupture": [None] * 9 + [1.0] * 14 + [None] * 34}
+ARRESTED["t_before"] = [0.5] * 9 + [None] * 14 + [0.5] + [None] * 33
+ARRESTED["t_rupture"][24:29] = [1.0] * 5  # on to block 28
 METHODS = dict.fromkeys(
     (PRIMARY, "5 blocks ahead", "8 blocks ahead", "without the block at the tip", "fall to 1/e")
 )
@@ -81,8 +91,25 @@ AROUND: dict[str, tuple] = {
 }
 
 
+QUIET: dict = {"no_slow_slip.primary": ARRESTED | {"t_rupture": [None] * 57}}
+QUIET["no_slow_slip.primary"]["type"] = "none"
+
+
+def first_events(begins, ends):
+    """Runs whose first events begin and end at one place or the other [L], half of them each: drawn
+    runs have medians from one to the other. All later events begin and end elsewhere."""
+
+    def words(begin, end):
+        stretch = PAPERS | {"x_from": begin * L, "x_to": end * L}
+        return {"fast_slow_fast": True, "L": L, "c_s": C_S, "in_words": stretch}
+
+    first = [words(begins[n % 2], ends[n // 2 % 2]) for n in range(20)]
+    other = words(0.1, 0.2) | {"fast_slow_fast": False}
+    return [by_way([other, event, words(0.8, 0.9)]) for event in first]
+
+
 def front(kind, **ways):
-    return {"types": dict.fromkeys(WAYS, kind) | ways}
+    return {"types": dict.fromkeys(ON_MAP, kind) | ways}
 
 
 def map_of(*kinds, sigma=0.0):
@@ -196,19 +223,67 @@ EXAMPLES = {
             "primary.0.slow.x_from": ([], [None]),
         },
     ),
+    "first-event": Example(
+        first_events((0.36, 0.44), (0.56, 0.64)),
+        within=[
+            Instead(sample=first_events((0.36, 0.4), (0.6, 0.64))),
+            Instead(sample=first_events((0.4, 0.44), (0.56, 0.6))),
+            Instead(sample=first_events((0.33, 0.47), (0.53, 0.67))),
+        ],
+        beyond=[
+            Instead(sample=first_events((0.36, 0.39), (0.56, 0.64))),
+            Instead(sample=first_events((0.41, 0.44), (0.56, 0.64))),
+            Instead(sample=first_events((0.36, 0.44), (0.56, 0.59))),
+            Instead(sample=first_events((0.36, 0.44), (0.61, 0.64))),
+            Instead(sample=first_events((0.32, 0.48), (0.56, 0.64))),
+            Instead(sample=first_events((0.36, 0.44), (0.52, 0.68))),
+        ],
+    ),
     "3A": Example(
         {"stopped": by_way({"fast_slow_fast": True, "type": "slow", "in_words": None, "L": L})},
         {"stopped.primary.fast_slow_fast": ([], [False])},
     ),
     "3B": Example(
         {
-            "no_slow_slip": {"x_arrest": 0.07, "L": L},
-            "fronts": by_way({"in_words": {"x_from": 0.07}}),
+            "no_slow_slip": by_way(ARRESTED),
+            "fronts": by_way({"in_words": {"x_from": 0.07}}),  # block 28
+            "block": 8,
         },
         {
-            "no_slow_slip.x_arrest": ([0.0561, 0.0839], [0.0559, 0.0841, None]),
-            "fronts.primary.in_words.x_from": ([], [None]),
+            "fronts.primary.in_words.x_from": ([0.0561, 0.0839], [0.0559, 0.0841, None]),
+            "no_slow_slip.primary.type": ([], ["slow", "fast"]),
+            # It stops at a block that does not rupture, whatever ruptures beyond.
+            "no_slow_slip.primary.t_rupture.22": ([], [None]),
+            "no_slow_slip.primary.t_rupture.24": ([None], []),
+            "no_slow_slip.primary.t_rupture.40": ([1.0], []),
         },
+        # Nothing ruptures: it has arrested at block 8, 0.02 m.
+        within=[QUIET | {"fronts.primary.in_words.x_from": 0.0339}],
+        beyond=[QUIET, QUIET | {"fronts.primary.in_words.x_from": 0.0341}],
+    ),
+    "no-crossing": Example(
+        {
+            "no_slow_slip": by_way({"type": "arrested"}),
+            "stopped": by_way({"type": "slow"}),
+        },
+        {
+            "no_slow_slip.primary.type": (["none"], ["slow", "fast"]),
+            "stopped.primary.type": (["arrested", None], []),
+        },
+    ),
+    "dose": Example(
+        {
+            name: by_way({"type": "slow", "L": L, "in_words": {"slowest": v, "x_to": 0.5 * L}})
+            for name, v in (("half", 20.0), ("stopped", 10.0), ("double", 5.0))
+        },
+        {
+            "half.primary.in_words.slowest": ([13.4, 29.9], [13.3, 30.1, None]),
+            "double.primary.in_words.slowest": ([7.49, 3.34], [7.51, 3.32, None]),
+            "half.primary.in_words.x_to": ([0.401 * L, 0.599 * L], [0.399 * L, 0.601 * L]),
+            "double.primary.in_words.x_to": ([0.401 * L, 0.599 * L], [0.399 * L, 0.601 * L]),
+            "stopped.primary.in_words": ([], [None]),
+        },
+        within=[{"half.primary.in_words.x_to": 0.41 * L, "double.primary.in_words.x_to": 0.59 * L}],
     ),
     "3C": Example(
         [SLIPS] * 3,  # for <t_R> as it is, half and double
@@ -244,17 +319,31 @@ EXAMPLES = {
         },
     ),
     "3C-neighbours": Example(
-        {"rows": [{"variant": "reference", "per_block": {"x": [0.0, 2.5e-3], "speed": [1, 1.2]}}]},
-        {"rows.0.per_block.speed.1": ([], [1.201, 0.0]), "rows.0.variant": ([], ["t_R"])},
+        {"rows": by_way([{"variant": "reference"} | NEIGHBOURS])},
+        {
+            "rows.primary.0.per_block.speed.1": ([], [1.201, 0.0]),
+            "rows.primary.0.variant": ([], ["t_R"]),
+        },
     ),
     "3D": Example(
-        by_way({"full": FIT | {"slope": 1.8}, "simplified": FIT | {"slope": 1.5}}),
+        by_way(FITS),
         {
             "primary.full.exponent": ([0.901, 1.099], [0.899, 1.101, None]),
             "primary.simplified.exponent": ([0.901, 1.099], [0.899, 1.101, None]),
             "primary.full.r_squared": ([], [0.949]),
-            "primary.simplified.r_squared": ([], [0.949, None]),
+            "primary.simplified.r_squared": ([], [0.949, nan]),
             "primary.full.slope": ([1.202], [1.802, 1.198]),
+        },
+    ),
+    "3D-collapse": Example(
+        by_way(FITS),
+        {
+            "primary.full.exponent": ([1.5], []),
+            "primary.full.r_squared": ([], [0.949]),
+            "primary.simplified.r_squared": ([], [0.949, nan]),
+            "primary.full.slope": ([1.202], [1.802, 1.198]),
+            "primary.full, unscaled.r_squared": ([0.949], [0.951, 0.95]),
+            "primary.simplified, unscaled.r_squared": ([0.949], [0.951]),
         },
     ),
     "3D-length": Example(
@@ -294,6 +383,7 @@ EXAMPLES = {
             "fronts": by_way(
                 {
                     "c_s": C_S,
+                    "criteria": {"slow_below": 1 / 20},
                     "x": [0.02, 0.03, 0.04, 0.05, 0.06],  # the first is in the loading zone
                     "v_c": [C_S / 21, C_S / 21, C_S / 19, C_S / 19, -C_S / 19],
                 }
@@ -305,18 +395,19 @@ EXAMPLES = {
     "4D": ORDER,
     "4D-edge": Example(
         # with slow slip, and without, at two sigma_bar
-        [[dict.fromkeys(CONVENTIONS, {"slow": x, "fast": 0.1}) for x in (0.05, 0.1)]] * 2,
+        [[dict.fromkeys(WAYS, {"slow": x, "fast": 0.1}) for x in (0.05, 0.1)]] * 2,
         {"0.1.primary.slow": ([0.0981, 0.1019], [0.0979, 0.1021])},
     ),
     "5A": Example(
         {
             "fronts": by_way(LINE | {"in_words": {"duration": 0.8e-3}}),
-            "undriven": {"t_rupture": [0.0, 9.0, 2e-3, 3e-3]},  # 9 s come before the stop
+            # 9 s come before the stop
+            "undriven": by_way({"t_rupture": [0.0, 9.0, 2e-3, 3e-3], "type": "slow"}),
             "stop": 1.5e-3,
         },
         {
-            "undriven.t_rupture.3": ([3.0399e-3], [3.0401e-3, None]),
-            "undriven.t_rupture.2": ([], [1.9599e-3]),
+            "undriven.primary.t_rupture.3": ([3.0399e-3], [3.0401e-3, None]),
+            "undriven.primary.t_rupture.2": ([], [1.9599e-3]),
             "stop": ([], [0.5e-3]),
         },
     ),
@@ -387,7 +478,7 @@ EXAMPLES = {
                     "in_words": {"duration": 1e-3},
                 }
             ),
-            "wider": by_way({"t_rupture": [None, 2e-3, 3e-3, 9.0]}),
+            "wider": by_way({"t_rupture": [None, 2e-3, 3e-3, 9.0], "type": "fast"}),
             "block": 0,
         },
         {

@@ -1,6 +1,6 @@
-"""The judge of claims: conditions, shares and the four verdicts, and the table of claims itself."""
+"""The judge of claims: conditions, shares and the words for verdicts, and the table of claims."""
 
-import re
+from itertools import combinations_with_replacement, product
 from math import isfinite, nan
 from unittest import mock
 
@@ -8,25 +8,27 @@ from pytest import mark, raises
 from rupture.errors import Failure
 
 from claims import judge
+from claims.claim import Share
 from claims.conditions import RELATIONS, as_number, met
-from claims.judge import as_written, by_convention, holds, interval, interval_of, judged, shares_of
-from claims.judge import unmet, unmet_text
-from claims.samples import Samples, Sampling, Unit, every, sampled
-from claims.table import read, rows_of, table, ways_of
+from claims.judge import as_written, by_way, holds, interval, interval_of, judged, share_of
+from claims.judge import shares_of, unmet, unmet_text
+from claims.samples import Sample, Samples, Sampling, every, sampled
+from claims.table import left_out, read, rows_of, table, ways_of
+from claims.words import needed, reason_of_shares, word_of_shares, word_of_state
 from conftest import ROOT, approx
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY, WAYS
 
 ROW: dict = {"id": "row", "says": "something", "accepted": "if it is", "kind": "finding"}
 ROW |= {"fixed": "today"}
 OTHER: dict = {"ways": ["other"]}
 ROWS: dict[str, dict] = {
     "all": {"conditions": {"x/L": {"at_least": "1/4", "at_most": 0.5}, "type": "fast"}},
-    "one": {"conditions": {"x": {"above": 2}}, "unit": "run", "one_of": "spanning events"} | OTHER,
+    "one": {"conditions": {"x": {"above": 2}}, "share_of": "runs", "one_of": "events"} | OTHER,
     "alone": {"conditions": {"x": {"below": 1}}},
     "two": {"conditions": {"x": {"below": 1}}} | OTHER,
-    "any": {"conditions": {"x": {"below": 1}}, "unit": "event"} | OTHER,
-    "state": {"conditions": {"x": {"below": 1}}, "unit": "seed"} | OTHER,
-    "events": {"conditions": {"x": {"below": 1}}, "unit": "event"},
+    "any": {"conditions": {"x": {"below": 1}}, "share_of": "events"} | OTHER,
+    "state": {"conditions": {"x": {"below": 1}}, "share_of": "seeds"} | OTHER,
+    "events": {"conditions": {"x": {"below": 1}}, "share_of": "events"},
     "unstated": {"conditions": {}},
 }
 MADE_UP = {name: ROW | row for name, row in ROWS.items()}
@@ -35,53 +37,63 @@ LOW, HIGH = 0, 2
 
 
 def measured(sample, way):
-    """A sample is x by way; x is a number, or those of several cases, of which one is enough."""
-    x = sample.get(way, sample[PRIMARY])
+    """A sample is x by way; x is a number, or those of several events, of which one is enough. A
+    way that it lacks finds nothing."""
+    x = sample.get(way, [])
     if x is None:
         return None
     return [{"x": one} for one in x] if isinstance(x, list) else {"x": x}
 
 
-def seed(x, **others):
-    return Unit(None, {PRIMARY: x} | others)
+def seed(x, other=None):
+    return Sample(None, {PRIMARY: x, "other": x if other is None else other})
 
 
 def run(*xs, **others):
     return seed([*xs], **others)
 
 
-def runs(good, bad, **others):
-    """So many units for which it holds, and does not; of all, so many under other ways."""
+def runs(good, bad, other=None):
+    """So many runs in which it holds, and does not; of all, so many in the other way."""
+    other = good if other is None else other
     found = [[BAD, GOOD]] * good + [[BAD]] * bad
-    return [
-        run(*xs, **{way: [GOOD if n < count else BAD] for way, count in others.items()})
-        for n, xs in enumerate(found)
+    return [run(*xs, other=[GOOD if n < other else BAD]) for n, xs in enumerate(found)]
+
+
+MORE = "; more runs would tell"
+OVER_RUNS = (
+    [  # what is shown, samples, the verdict, and how the reason ends. One is enough: bound 0.5
+        (GOOD, runs(20, 0), "reproduced", "holds in at least 20 of 20 runs (primary)"),
+        (BAD, runs(20, 0), "reproduced", "holds in at least 20 of 20 runs (primary)"),
+        (GOOD, runs(14, 6), "reproduced", "14 of 20 runs (primary)"),
+        (GOOD, runs(13, 7), "undecided", f"holds in 13 of 20 runs (primary){MORE}"),
+        (GOOD, runs(7, 13), "undecided", f"holds in 7 of 20 runs (primary){MORE}"),
+        (GOOD, runs(6, 14), "in part", "holds in 6 of 20 runs (primary)"),
+        (GOOD, runs(1, 19), "differs", "holds in at most 1 of 20 runs (primary)"),
+        (GOOD, runs(2, 18), "in part", "holds in 2 of 20 runs (primary)"),  # up to 0.28
+        (GOOD, runs(0, 20, other=6), "differs", "holds in at most 6 of 20 runs (other)"),
+        (BAD, runs(0, 20, other=7), "in part", "holds in 0 of 20 runs (primary)"),
+        (
+            GOOD,
+            runs(0, 20, other=14),
+            "by the measure",
+            "14 of 20 runs (other), but in 0 of 20 runs (primary)",
+        ),
+        (
+            GOOD,
+            runs(20, 0, other=6),
+            "by the measure",
+            "20 of 20 runs (primary), but in 6 of 20 runs (other)",
+        ),
+        (
+            GOOD,
+            runs(20, 0, other=13),
+            "undecided",
+            f"20 of 20 runs (primary), and in 13 of 20 runs (other){MORE}",
+        ),
+        (GOOD, runs(4, 0), "undecided", "holds in 4 of 4 runs (primary); a verdict needs 5 runs"),
     ]
-
-
-FEW = "(primary); too few runs for a verdict"
-NOT_SHOWN = FEW.replace(";", ", but not in the case shown;")
-OVER_UNITS = [  # the shown case, units, the verdict, and how the reason ends
-    (GOOD, runs(20, 0), "reproduced", "holds in at least 20 of 20 runs (primary)"),
-    (GOOD, runs(14, 6), "reproduced", "14 of 20 runs (primary)"),  # one exists: above a half
-    (GOOD, runs(13, 7), "depends", f"holds in 13 of 20 runs {FEW}"),
-    (GOOD, runs(9, 11), "depends", "9 of 20 runs (primary)"),
-    (BAD, runs(20, 0), "depends", "holds in 20 of 20 runs (primary), but not in the case shown"),
-    (BAD, runs(1, 19), "differs", "holds in at most 1 of 20 runs (primary)"),
-    (BAD, runs(2, 18), "depends", f"2 of 20 runs {NOT_SHOWN}"),
-    (BAD, runs(4, 16), "depends", f"4 of 20 runs {NOT_SHOWN}"),
-    (BAD, runs(5, 15), "depends", "5 of 20 runs (primary), but not in the case shown"),
-    (GOOD, runs(10, 10), "depends", f"10 of 20 runs {FEW}"),
-    (GOOD, runs(20, 0, other=3), "depends", "runs (primary), down to 3 of 20 runs (other)"),
-    (GOOD, runs(20, 0, other=13), "depends", "(other); too few runs for a verdict"),
-    (GOOD, runs(20, 0, other=14), "reproduced", "14 of 20 runs (other)"),
-    (
-        BAD,
-        runs(0, 20, other=2),
-        "depends",
-        f"up to 2 of 20 runs {NOT_SHOWN}".replace(PRIMARY, "other"),
-    ),
-]
+)
 
 
 def seeds(held, other):
@@ -92,11 +104,10 @@ def seeds(held, other):
     ]
 
 
-JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reason ends
+JUDGED = [  # a claim, what is shown, its samples, the verdict, and how the reason ends
     ("alone", LOW, None, "reproduced", "holds"),
     ("alone", HIGH, None, "differs", "does not hold"),
-    ("one", GOOD, [], None, "only the case shown was judged, no other runs"),
-    ("one", GOOD, runs(4, 0), None, "only 4 runs were judged; a verdict needs 5"),
+    ("one", GOOD, [], None, "no sample has been computed yet"),
     (
         "unstated",
         None,
@@ -104,38 +115,59 @@ JUDGED = [  # a claim, its shown case, its units, the verdict, and how the reaso
         "not comparable",
         "gives no number to compare with; ours are reported",
     ),
-    *(("one", shown, found, *said) for shown, found, *said in OVER_UNITS),
-    ("state", LOW, seeds(3, 3), "reproduced", "holds in all of the 2 ways to measure"),
-    ("state", LOW, seeds(3, 2), "depends", "of the 2 ways to measure, does not hold in other"),
+    *(("one", shown, found, *said) for shown, found, *said in OVER_RUNS),
+    ("state", HIGH, seeds(3, 3), "reproduced", "holds in all of the 2 ways to measure"),
+    (
+        "state",
+        LOW,
+        seeds(3, 2),
+        "by the measure",
+        "of the 2 ways to measure, does not hold in other",
+    ),
     ("state", LOW, seeds(2, 0), "differs", "holds in none of the 2 ways to measure"),
+    ("state", LOW, seeds(5, 5)[:4], None, "no sample has been computed yet"),
     ("two", (LOW, LOW), None, "reproduced", "holds in all of the 2 ways to measure"),
     ("two", (HIGH, HIGH), None, "differs", "holds in none of the 2 ways to measure"),
-    ("two", (LOW, HIGH), None, "depends", "of the 2 ways to measure, does not hold in other"),
-    ("two", (HIGH, LOW), None, "depends", "of the 2 ways to measure, does not hold in primary"),
+    (
+        "two",
+        (LOW, HIGH),
+        None,
+        "by the measure",
+        "of the 2 ways to measure, does not hold in other",
+    ),
+    (
+        "two",
+        (HIGH, LOW),
+        None,
+        "by the measure",
+        "of the 2 ways to measure, does not hold in primary",
+    ),
     ("events", LOW, seeds(19, 0) + seeds(0, 0)[:1], "reproduced", "19 of 20 events (primary)"),
-    ("events", LOW, seeds(18, 0) + seeds(0, 0)[:2], "depends", "too few events for a verdict"),
-    ("events", None, seeds(5, 0), "not comparable", "it could not be measured"),
+    ("events", LOW, seeds(18, 0) + seeds(0, 0)[:2], "undecided", MORE),
+    ("events", None, seeds(20, 0), "reproduced", "20 of 20 events (primary)"),
 ]
 
 
-FAILED = Unit(None, Failure("it was refused"))
+FAILED = Sample(None, Failure("it was refused"))
 BRANCHES = {"further": [seed(LOW), seed(HIGH)]}
-SHARES: list = [  # a claim, other units, units, and for how many of how many it holds
-    # A unit without a case counts against it, and so does one that failed.
+SHARES: list = [  # a claim, samples elsewhere, samples, and for how many of how many it holds
+    # A sample in which nothing was found counts against it, and so does one that failed.
     ("one", {}, [run(GOOD, other=[]), run(GOOD, other=[GOOD])], {PRIMARY: (2, 2), "other": (1, 2)}),
     ("events", {}, [*seeds(5, 0), FAILED], {PRIMARY: (5, 6)}),
     ("state", {}, [*seeds(5, 5), FAILED], {PRIMARY: (1, 1), "other": (1, 1)}),
-    # Where there is nothing to compare, there is no unit.
+    # Where there is nothing to compare, there is no sample.
     ("events", {}, [seed(LOW), seed(HIGH), seed(None)], {PRIMARY: (1, 2)}),
-    # A branch is another convention, after the ways to measure.
+    # A way that nobody measured does not count as the primary one.
+    ("any", {}, [Sample(None, {PRIMARY: LOW})], {PRIMARY: (1, 1), "other": (0, 1)}),
+    # A branch is another way, after the ways to measure.
     ("any", BRANCHES, [seed(HIGH)], {PRIMARY: (0, 1), "other": (0, 1), "further": (1, 2)}),
 ]
 
 
-def samples(shown, units):
+def samples(shown, taken):
     """None: of one state."""
-    by_way = dict(zip((PRIMARY, "other"), shown if isinstance(shown, tuple) else (shown,)))
-    return Samples({"": by_way}, {} if units is None else {PRIMARY: units})
+    of_ways = dict(zip((PRIMARY, "other"), shown if isinstance(shown, tuple) else (shown,)))
+    return Samples({"": of_ways}, {} if taken is None else {PRIMARY: taken})
 
 
 class TestJudge:
@@ -169,51 +201,64 @@ class TestJudge:
     def test_what_is_not_known_is_null_and_what_is_so_is_yes(self):
         assert as_written([nan, 1.0, True, False, "no", None]) == [None, 1, "yes", "no", "no", None]
 
-    @mark.parametrize("name, shown, units, verdict, reason", JUDGED)
-    def test_a_verdict_and_its_reason(self, name, shown, units, verdict, reason):
+    @mark.parametrize("name, shown, taken, verdict, reason", JUDGED)
+    def test_a_verdict_and_its_reason(self, name, shown, taken, verdict, reason):
         shown = [shown] if name == "one" else shown
-        claim = judged(MADE_UP[name], measured, samples(shown, units))
-        because, _, wanted = claim.reason.partition(" (x is ")
-        because = re.sub(r"; \d+ of \d+ spanning events$", "", because)
+        claim = judged(MADE_UP[name], measured, samples(shown, taken))
+        because, _, wanted = claim.reason.partition(" (shown: x is ")
         assert (claim.verdict, because[-len(reason) :]) == (verdict, reason)
-        assert bool(wanted) == (claim.case == "does not hold")
+        assert bool(wanted) == (claim.shown == "does not hold")
+
+    def test_what_was_chosen_because_it_holds_is_not_reported_as_holding(self):
+        for row, shown in (
+            (MADE_UP["alone"], "holds"),
+            (MADE_UP["alone"] | {"chosen": "so"}, None),
+        ):
+            assert judged(row, measured, samples(LOW, None)).shown == shown
 
     def test_one_state_has_a_share_without_interval(self):
-        found = by_convention(MADE_UP["state"], measured, {PRIMARY: seeds(3, 3)})
+        found = by_way(MADE_UP["state"], measured, {PRIMARY: seeds(3, 3)})
         shares = shares_of(MADE_UP["state"], found)
-        assert [(s.units, s.low, s.high) for s in shares] == 2 * [(1, None, None)]
+        assert [(s.samples, s.low, s.high) for s in shares] == 2 * [(1, None, None)]
 
-    @mark.parametrize("name, others, units, expected", SHARES)
-    def test_shares(self, name, others, units, expected):
+    @mark.parametrize("name, others, taken, expected", SHARES)
+    def test_shares(self, name, others, taken, expected):
         row = MADE_UP[name]
-        shares = shares_of(row, by_convention(row, measured, {PRIMARY: units} | others))
-        found = {s.convention: (s.holds, s.units) for s in shares}
-        assert (found, [*found]) == (expected, [*expected])
+        found = by_way(row, measured, {PRIMARY: taken} | others)
+        shares = {way: share_of(row, way, of) for way, of in found.items()}
+        counted = {way: (share.holds, share.samples) for way, share in shares.items()}
+        assert (counted, [*counted]) == (expected, [*expected])
 
-    def test_units_of_a_run_share_its_history(self):
-        units = {PRIMARY: [Unit(n // 5, {PRIMARY: LOW if n < 50 else HIGH}) for n in range(100)]}
-        [share] = shares_of(MADE_UP["events"], by_convention(MADE_UP["events"], measured, units))
+    def test_samples_of_a_run_share_its_history(self):
+        taken = {PRIMARY: [Sample(n // 5, {PRIMARY: LOW if n < 50 else HIGH}) for n in range(100)]}
+        [share] = shares_of(MADE_UP["events"], by_way(MADE_UP["events"], measured, taken))
         assert (share.low, share.high) == approx((0.3, 0.7))
+        assert (share.samples, share.runs) == (100, 20)
+
+    def test_a_verdict_needs_five_runs_however_many_events_there_are(self):
+        for count, verdict in ((4, "undecided"), (5, "reproduced")):
+            taken = [Sample(n % count, {PRIMARY: LOW}) for n in range(60)]
+            assert judged(MADE_UP["events"], measured, samples(LOW, taken)).verdict == verdict
 
     def test_counts_spanning_events_where_one_is_enough(self):
-        units = [run(GOOD, BAD, BAD) for _ in range(20)]
-        found = judged(MADE_UP["one"], measured, samples([GOOD], units))
-        assert found.reason.endswith("; 20 of 60 spanning events")
+        taken = [run(GOOD, BAD, BAD) for _ in range(20)]
+        found = judged(MADE_UP["one"], measured, samples([GOOD], taken))
+        assert found.measured["of all events"] == "20 of 60"
 
-    def test_counts_units_of_which_a_quantity_is_known_and_not_no(self):
+    def test_counts_samples_of_which_a_quantity_is_known_and_not_no(self):
         row = MADE_UP["one"] | {"counts": {"with more": "more"}}
 
         def more(sample, way):
-            return [case | {"more": case["x"] > 2 or None} for case in measured(sample, way)]
+            return [one | {"more": one["x"] > 2 or None} for one in measured(sample, way)]
 
-        for units, count in ((runs(3, 2), "3 of 5"), ([], "not run")):
-            found = judged(row, more, samples([GOOD], units)).measured
-            assert found == {"x": 3, "more": "yes", "with more": count}
+        for taken, count in ((runs(3, 2), "3 of 5"), ([], "not run")):
+            found = judged(row, more, samples([GOOD], taken)).measured
+            assert [*found.items()][:3] == [("x", 3), ("more", "yes"), ("with more", count)]
 
-    def test_several_cases_are_shown_and_the_first_decides(self):
+    def test_several_are_shown_and_the_first_is_reported(self):
         shown = Samples({"II": {PRIMARY: LOW}, "I": {PRIMARY: HIGH}})
         found = judged(MADE_UP["alone"], measured, shown)
-        assert (found.measured, found.case) == ({"II: x": LOW, "I: x": HIGH}, "holds")
+        assert (found.measured, found.shown) == ({"II: x": LOW, "I: x": HIGH}, "holds")
 
     def test_a_name_that_does_not_exist_is_named_with_the_claim(self):
         for name, module in (("nothing", "figS3.commands"), ("none.of", "figS3.none")):
@@ -223,11 +268,12 @@ class TestJudge:
                     judge.judge("figS3")
 
     def test_interval(self):
-        assert interval(0, 20)[0] == 0
-        assert interval(20, 20)[1] == 1
-        low, high = interval(10, 20)
-        assert low + high == approx(1)
-        assert low == approx(0.324, abs=5e-4)
+        """Brown, Cai and DasGupta (2001): Jeffreys' interval, closed where all or none hold."""
+        for k, n, expected in (
+            *((0, 20, (0, 0.0906)), (20, 20, (0.9094, 1)), (10, 20, (0.324, 0.676))),
+            *((1, 20, (0.0087, 0.1797)), (0, 10, (0, 0.1708)), (0, 0, (0, 1))),
+        ):
+            assert interval(k, n) == approx(expected, abs=5e-4), (k, n)
 
     def test_interval_of_events_of_which_runs_are_drawn(self):
         """If all five events of a run hold or none does, a share of 20 runs is binomial: 6 and 14
@@ -235,6 +281,17 @@ class TestJudge:
         assert interval_of([5 * [run < 10] for run in range(20)]) == approx((0.3, 0.7))
         assert interval_of(10 * [5 * [False, True]]) == interval(50, 100)
         assert interval_of([[n < 5] for n in range(10)]) == interval(5, 10)
+        assert interval_of([[True], [], [False]]) == interval(1, 2)
+
+    def test_two_runs_are_drawn_too(self):
+        """Both runs, or one of them twice: 0, 0.5 and 1."""
+        assert interval_of([10 * [True], 10 * [False]]) == (0, 1)
+
+    def test_events_have_the_same_weight_and_runs_have_not(self):
+        """Ten runs of one event that holds, ten of nine that do not. Of 20 runs that are drawn, 6
+        to 14 are of the first kind: 6 of 132 events to 14 of 68."""
+        drawn = interval_of(10 * [[True]] + 10 * [9 * [False]])
+        assert drawn == approx((6 / 132, 14 / 68))
 
     def test_refuses_what_is_no_condition(self):
         for condition in ({"equals": 3}, {"at_most": "a lot"}):
@@ -290,6 +347,97 @@ class TestTable:
                     assert condition and set(condition) <= set(RELATIONS)
                     assert all(isfinite(as_number(bound)) for bound in condition.values())
 
-    def test_ways_are_a_set_by_name_or_names(self):
-        found = [ways_of({"ways": ways}) for ways in ("raw", ["a", "b"])]
-        assert [*found, ways_of({})] == [["raw line"], ["a", "b"], ()]
+    def test_ways_are_all_of_fronts_but_those_left_out_and_others_by_name(self):
+        ways = ["fronts", "a"]
+        assert [*ways_of({}), *ways_of({"ways": ["a"]})] == ["a"]
+        assert ways_of({"ways": ways}) == [*WAYS][1:] + ["a"]
+        row = {"ways": ways, "left_out": {"slow below": "why", "raw": "so"}}
+        assert ways_of(row) == [w for w in WAYS if w[:4] not in ("prim", "slow", "raw ")] + ["a"]
+        assert left_out(row) == "Ways to measure that are left out: slow below: why; raw: so."
+        assert left_out({}) == ""
+
+    def test_every_finding_is_measured_in_all_ways_or_says_why_not(self):
+        for name, row in table().items():
+            if row["kind"] == "finding" and row["conditions"]:
+                assert ("fronts" in row.get("ways", ())) != ("" in row.get("left_out", {})), name
+
+
+# --- words ---------------------------------------------------------------------------------
+
+
+def share(low, high, way=PRIMARY, runs=20):
+    return Share(way, 0, 20, runs, low, high)
+
+
+PLACES = (0, 0.15, 0.19, 0.21, 0.45, 0.55, 0.75, 0.85, 1)  # of the ends of an interval
+INTERVALS = [*combinations_with_replacement(PLACES, 2)]
+
+
+def words_that_fit(intervals, runs, bound):
+    """docs/claims.md, line by line."""
+    default, others = intervals[0], intervals[1:]
+    above, below = (
+        [pick(i, bound) for i in intervals]
+        for pick in (lambda interval, b: interval[0] > b, lambda interval, b: interval[1] < b)
+    )
+    if runs < 5:
+        yield "undecided"
+    if not above.count(False):
+        yield "reproduced"
+    if default[1] < 0.2 and all(high < bound for _, high in others):
+        yield "differs"
+    if True in above and True in below:
+        yield "by the measure"
+    if below[0]:
+        yield "in part"
+    yield "undecided"
+
+
+@mark.parametrize("count", (1, 2, 3))
+@mark.parametrize("bound", (0.5, 0.8))
+def test_the_first_line_that_fits_gives_the_word(count, bound):
+    for intervals, runs in product(product(INTERVALS, repeat=count), (4, 5)):
+        shares = [share(low, high, f"way {n}", runs) for n, (low, high) in enumerate(intervals)]
+        word = word_of_shares(shares, bound)
+        assert word == next(words_that_fit(intervals, runs, bound)), (intervals, runs)
+
+
+def test_the_bound_is_0_8_and_0_5_where_one_event_is_enough():
+    assert [needed(row) for row in (MADE_UP["events"], MADE_UP["one"])] == [0.8, 0.5]
+
+
+RANK = ["differs", "in part", "undecided", "reproduced"]
+
+
+@mark.parametrize("size", (5, 10, 20, 87))
+def test_of_all_shares_the_word_is_the_better_the_more_samples_hold(size):
+    """For one way: it never gets worse, all or none of many is clear, and each names itself."""
+    for row in (MADE_UP["events"], MADE_UP["one"]):
+        words = []
+        for k in range(size + 1):
+            shares = [Share(PRIMARY, k, size, size, *interval(k, size))]
+            words.append(word_of_shares(shares, needed(row)))
+            reason = reason_of_shares(words[-1], shares, row)
+            assert f"{k} of {size} {row['share_of']} (primary)" in reason
+        assert sorted(words, key=RANK.index) == words
+        assert "by the measure" not in words
+        assert (
+            (words[0], words[-1]) == ("differs", "reproduced")
+            or size < 10
+            or row is not MADE_UP["one"]
+        )
+
+
+def test_what_is_shown_changes_no_word():
+    for shown, good in product((GOOD, BAD), range(21)):
+        claim = judged(MADE_UP["one"], measured, samples([shown], runs(good, 20 - good)))
+        assert (
+            claim.verdict
+            == judged(MADE_UP["one"], measured, samples([GOOD], runs(good, 20 - good))).verdict
+        )
+
+
+def test_of_one_state_all_none_or_some_ways():
+    for held in product((True, False), repeat=3):
+        word = {3: "reproduced", 0: "differs"}.get(sum(held), "by the measure")
+        assert word_of_state(dict(enumerate(held))) == word

@@ -7,7 +7,7 @@ import maps
 from conftest import approx
 from examples import front, map_of
 from measure import front_map
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.front_map import out_of_order
 from measure.pairs import share_of_lower
 from robustness import commands as robustness

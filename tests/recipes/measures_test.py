@@ -16,7 +16,7 @@ from figS3.commands import front, prestress, trigger
 from figS4 import junctions
 from figS5.commands import deviation
 from figS5.quadrature import largest_mean_force, uniform_closed_form
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.drawn import nothing_drawn
 from robustness import distance
 

@@ -233,7 +233,7 @@ def test_texts_in_the_picture_of_all_claims_are_texts(copied):
     path = copied.results / "fig2/claims.json"
     content = json.loads(path.read_text())
     for claim in content["claims"]:
-        claim["shares"] = [SHARE, SHARE | {"convention": "$\\frac{"}]
+        claim["shares"] = [SHARE, SHARE | {"way": "$\\frac{"}]
     path.write_text(json.dumps(content))
     seal(copied.results, path)
     assert copied.report().returncode == 0

@@ -11,7 +11,7 @@ from claims_test import copied
 from conftest import approx
 from examples import METHODS, front
 from fig3 import decay_length, lengths, no_slip_force
-from measure.conventions import CONVENTIONS, PRIMARY
+from measure.ways import WAYS, PRIMARY
 from measure.front_map import IMPOSSIBLE, front_type
 
 DX = 3e-3  # [m]
@@ -106,7 +106,7 @@ class TestNoSlipForce:
     NEARLY_SLOW = front("fast", **{"slow below c_s/10": "slow"})
     FRONTS = [NEARLY_SLOW, front("fast"), front("arrested"), None]
     NARROW, WIDE, REFERENCE = (
-        {name: {"slow": 0.1, "fast": 0.1 + width} for name in CONVENTIONS}
+        {name: {"slow": 0.1, "fast": 0.1 + width} for name in WAYS}
         for width in (0.001, 0.004, 0.06)
     )
     BANDS = [(NARROW, REFERENCE), (NARROW | {"stencil 3": WIDE[PRIMARY]}, REFERENCE)]

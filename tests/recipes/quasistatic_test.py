@@ -6,7 +6,7 @@ from claims_test import copied
 from conftest import approx
 from fig5.commands import speed
 from fig5.quasistatic_stretch import advances, dynamic_events, quasistatic_stretch
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 EVERY = 0.01  # between checkpoints [s]
 BLOCKS = 20

@@ -7,8 +7,10 @@ import subprocess
 import pytest
 
 import rupture
+from rupture.errors import Failure
 from report import readme
 from claims.claim import Claim, Number, Share
+from claims.own_result import OwnResult
 from claims.table import table
 from conftest import ROOT, run
 from event_numbers import crossing_time
@@ -19,10 +21,21 @@ from fixture import spill
 
 def test_its_sentences_are_those_of_the_table_of_verdicts():
     rows = read_rows(ROOT / readme.TABLE)
-    assert [row["id"] for row in rows if row["kind"]] == list(table())
+    claims = {row["id"]: row for row in rows if row["kind"]}
+    assert [*claims] == list(table())
+    for name, row in table().items():
+        assert (claims[name]["kind"], claims[name]["fixed"]) == (row["kind"], row["fixed"])
     [shown] = readme.BLOCK.findall((ROOT / readme.README).read_text(encoding="utf-8"))
     assert shown == readme.sentences(ROOT)
     assert "not run" not in shown and "{" not in shown
+    assert shown.count("\n| ") == 1 + 9  # questions
+
+
+def test_each_row_has_a_sentence_of_the_paper_and_each_sentence_a_row_or_a_reason():
+    sentences = read_rows(ROOT / "docs/sentences.csv")
+    named = [name for one in sentences for name in one["rows"].split()]
+    assert {*named} == {*table()}
+    assert all(bool(one["rows"]) != bool(one["no row, because"]) for one in sentences)
 
 
 SHOWN = {
@@ -45,21 +58,40 @@ def test_numbers_of_shown_events_are_those_that_the_programs_compute(event, fold
 
 
 VERDICTS = (
-    "id,kind,fixed,verdict,holds,units,version,numbers\n"
-    "1D,finding,today,depends,1,2,0,{}\n"
+    "id,kind,fixed,verdict,holds,samples,version,numbers\n"
+    "1D,finding,today,in part,1,2,0,{}\n"
     "2A,finding,today,,,,,{}\n"  # it waited for its runs
-    "choices,,,,,,0,{}\n"
+    'choices,,,,,,0,"{""moved"": 7}"\n'
 )
 
 
+TEXT = "{findings: claims} {findings: reproduced} {findings: differs} {findings: that differ} "
+TEXT += "{findings: reproduced after results}; {2A: holds} of {2A: samples}, {2A: verdict}, "
+TEXT += "{2A: begin [L]} {2A: slowest/c_s} {2A: raw line}; {choices: moved}; {near: met} of "
+TEXT += "{near: expectations}\n"
+
+
+@pytest.fixture(autouse=True, name="sentences")
+def made_up_sentences(request, monkeypatch):
+    if "clone" in request.fixturenames:
+        monkeypatch.setattr(readme, "SENTENCES", TEXT)
+        monkeypatch.setattr(readme, "PLACES", {*readme.PLACE.findall(TEXT)})
+
+
 def update(root, verdict="reproduced"):
-    """Writes the README of one finding, whose criterion was fixed after results."""
-    share, words = Share("primary", 19, 20, 0.8, 1.0), ("finding", "later, after results", "paper")
-    claim = Claim("2A", *words, "accepted", {}, "holds", [share], verdict, "why")
-    number = Number(
-        "slow [c_s]", 0.01, most_like=0.012, median=0.02, low=0.01, high=0.035, of="8 of 9 events"
-    )
-    readme.update_readme(root, [claim], [], [number], "0.5.0")
+    """Writes the README of a finding whose criterion was fixed after results, one that differs, one
+    without a verdict of its own, and a check."""
+    words, values = ("later, after results", "paper", "accepted"), {"begin [L]": 0.3841}
+    values["slowest/c_s"] = 1 / 92.4
+    shares = [Share("primary", 19, 20, 20, 0.8, 1.0), Share("raw line", 18, 20, 20, 0.7, 1.0)]
+    claims = [Claim("2A", "finding", *words, values, "holds", shares, verdict, "why")]
+    claims.append(Claim("3D", "finding", "before any", *words[1:], {}, "holds", [], "differs", ""))
+    claims.append(Claim("1F", "check", *words, {}, "holds", [], "reproduced", ""))
+    own = [
+        OwnResult("near", "how?", {"a": 1.0, "b": 2.0}, {"a": {"at_most": 1}, "b": {"below": 2}})
+    ]
+    number = Number("slow [c_s]", 0.01, most_like=0.012, median=0.02, low=0.01, high=0.035, of="8")
+    readme.update_readme(root, claims, own, [number], "0.5.0")
     return (root / readme.README).read_text()
 
 
@@ -68,7 +100,6 @@ def made_up_clone(tmp_path):
     spill(tmp_path / readme.TABLE, VERDICTS)
     for name in (readme.NUMBERS, readme.PICTURE):
         spill(tmp_path / name, "old")
-    spill(tmp_path / readme.FIRST, (ROOT / readme.FIRST).read_bytes())
     spill(tmp_path / "results/fig2/fig2.png", "Figure 2")
     spill(tmp_path / readme.README, "above\n<!-- results -->\nold\n<!-- /results -->\nbelow\n")
     return tmp_path
@@ -77,20 +108,35 @@ def made_up_clone(tmp_path):
 def test_a_report_of_all_results_writes_them(clone):
     above, sentences, below = re.split(r"<!-- .* -->\n", update(clone))
     assert (above, below) == ("above\n", "below\n")
-    assert "in 19 of 20 runs" in sentences and "old\n" not in sentences
-    assert "| slow [c_s] | 0.01 | 0.012 | 0.02 (0.01 to 0.035) |" in sentences
-    assert "Of its 1 findings, 1 are reproduced, and 0 depend" in sentences
-    assert "The criteria of\n1 of the reproduced findings" in sentences
-    assert "26 criteria that were fixed first, 10 were" in sentences
+    assert sentences == "2 1 1 3D 1; 19 of 20, reproduced, 0.38 c_s/92 18 of 20; 7; 1 of 2\n"
     rows = (clone / readme.TABLE).read_text().splitlines()
-    assert rows[1:] == [
-        '2A,finding,"later, after results",reproduced,19,20,0.5.0,{}',
-        "choices,,,,,,0,{}",
-    ]  # `all` leaves that out
+    assert [row.split(",{")[0].split(",'{")[0].split(',"{')[0] for row in rows[1:]] == [
+        '2A,finding,"later, after results",reproduced,19,20,0.5.0',
+        "3D,finding,before any,differs,,,0.5.0",
+        '1F,check,"later, after results",reproduced,,,0.5.0',
+        "choices,,,,,,0",  # `all` leaves that out
+        "near,,,,,,0.5.0",
+    ]
     assert (clone / readme.PICTURE).read_text() == "Figure 2"
     spill(clone / "results/fig2/fig2.png", "another version of Matplotlib")
     update(clone)
     assert (clone / readme.PICTURE).read_text() == "Figure 2", "the numbers are the same"
+
+
+def test_rows_without_a_verdict_are_not_counted(clone, monkeypatch):
+    rows = "2A,finding,today,,,,,{}\n3D,finding,today,differs,,,0,{}\n"
+    spill(clone / readme.TABLE, VERDICTS.partition("\n")[0] + "\n" + rows)
+    text = "{findings: claims} {findings: differs}"
+    monkeypatch.setattr(readme, "SENTENCES", text)
+    monkeypatch.setattr(readme, "PLACES", {*readme.PLACE.findall(text)})
+    assert readme.sentences(clone) == "1 1"
+
+
+def test_a_place_that_nothing_fills_is_an_error(clone, monkeypatch):
+    monkeypatch.setattr(readme, "SENTENCES", TEXT.replace("begin [L]", "began [L]"))
+    monkeypatch.setattr(readme, "PLACES", {*readme.PLACE.findall(readme.SENTENCES)})
+    with pytest.raises(Failure, match=r"places that nothing fills: 2A: began \[L\]"):
+        update(clone)
 
 
 def test_one_of_some_results_or_behind_a_link_does_not(clone):

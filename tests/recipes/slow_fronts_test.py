@@ -9,10 +9,10 @@ from claims_test import copied
 from conftest import approx
 from fig3 import front_speed, slow_slip
 from fig3 import slow_fronts as slow
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 
-def slips(blocks=5, speed=10.0):
+def slips(kind="slow", blocks=5, speed=10.0):
     """A report of `analyze slow-slip`."""
     return {
         "blocks": blocks,
@@ -20,14 +20,15 @@ def slips(blocks=5, speed=10.0):
         "speed": {"mean": 1e-3, "min": 0.9e-3, "max": 1.1e-3} if blocks else None,
         "estimate": 2e-3,
         "per_block": {"x": [2.0, 2.5], "speed": [0.9e-3, 1.1e-3], "v_c": [9.0, 11.0]},
+        "type": kind,
     }
 
 
 def row(kind="slow", fewer=5, **others):
     """A front, which has fewer blocks in the last window."""
-    windows = dict.fromkeys(slow.WINDOWS, slips(**others))
+    windows = dict.fromkeys(slow.WINDOWS, slips(kind, **others))
     *_, last = windows
-    return copied({"type": kind, "windows": windows | {last: slips(fewer)}})
+    return copied({"type": kind, "windows": windows | {last: slips(kind, fewer)}})
 
 
 class TestFit:
@@ -43,6 +44,13 @@ class TestFit:
         assert through([1, 2, 4], [3, 12, 48]).exponent == approx(2)
         assert isnan(through([1, 2], [3, -6]).exponent)
         assert fit.largest == approx(3 / (27 / 14) - 1)
+        assert fit.offset == approx(1)  # of 1.5 x + 1
+
+    def test_the_interval_of_an_exponent_is_of_fronts_that_are_drawn(self):
+        """Two fronts at each of two places. Drawn with replacement, the exponents are 1, 2 and 3
+        where one front of each place is drawn, and otherwise between."""
+        fit = slow.fit_through_origin([1, 1, 2, 2], [1, 2, 4, 8])
+        assert slow.exponent_interval(fit) == approx([1, 3])
 
 
 class TestFronts:
@@ -50,7 +58,13 @@ class TestFronts:
         found = slow.by_way([row(fewer=4), row("fast"), row(fewer=0, blocks=0)])
         first, *windows, _ = found.values()
         assert [front["slow slip [m/s]"] for front in first] == [1e-3]
-        assert [len(rows) for rows in windows] == [1, 0]
+        assert [len(rows) for rows in windows] == [1] * (len(slow.WINDOWS) - 2) + [0]
+
+    def test_a_front_that_is_not_slow_in_a_way_does_not_count_in_it(self):
+        front = row()
+        front["windows"]["stencil 3"] = copied(slips("fast"))
+        found = slow.by_way([front])
+        assert [way for way, rows in found.items() if not rows] == ["stencil 3"]
 
     def test_near_arrest_is_below_3_m_s(self):
         found = slow.by_way([row(speed=v) for v in (2.9, 3.0, 10.0)])[slow.WITHOUT_NEAR_ARREST]
@@ -86,13 +100,13 @@ class TestSlowSlip:
         x = [slow_slip.WIDTH * block for block in blocks]
         front: dict = {"variant": "k_i", "per_block": {"x": x, "speed": [1.0, 1.1, 3.0, 2.4]}}
         assert slow_slip.largest_ratio(front) == approx(1.25)
-        found = slow_slip.neighbours(Report(rows=[front]), PRIMARY)
+        found = slow_slip.neighbours(Report(rows={PRIMARY: [front]}), PRIMARY)
         assert [*found.values()] == [None, 1, 0]
         front["per_block"]["speed"][0] = -1.0
         assert isnan(slow_slip.largest_ratio(front))
         reference = front | {"variant": "reference"}
         reference["per_block"] = {"x": x[:2], "speed": [1.0, 1.2]}
-        found = slow_slip.neighbours(Report(rows=[front, reference]), PRIMARY)
+        found = slow_slip.neighbours(Report(rows={PRIMARY: [front, reference]}), PRIMARY)
         assert [*found.values()] == [1.2, 2, 1]
 
 
@@ -125,6 +139,20 @@ class TestFrontSpeed:
         case = self.case(self.full + self.simplified)
         assert (case["R^2, full"], case["slope, full"]) == approx((1, 0.8))
         assert case["difference of the slopes"] == approx(0.6)
+
+    def test_beside_it_stand_fronts_of_10_m_s_or_more_and_speeds_without_scaling(self):
+        """The faster ones have twice the slip and four times the speed: the exponent is 2."""
+        slow_ones = [f | {"front speed [m/s]": v} for f, v in zip(self.full, (2.0, 9.9))]
+        faster = [f | {"front speed [m/s]": v} for f, v in zip(self.full[:1] * 2, (10.0, 40.0))]
+        faster[1] = faster[1] | {"slow slip [m/s]": 2e-3}
+        found = front_speed.fits_of(slow_ones + faster)
+        assert found["full, faster"].exponent == approx(2)
+        assert len(found["full"].x) == 4 and [*found["full, unscaled"].x] == [
+            1e-3,
+            1e-3,
+            1e-3,
+            2e-3,
+        ]
 
     def test_a_model_without_fronts_counts_as_not_measured(self):
         case = self.case(self.full)

@@ -5,7 +5,7 @@ from math import isnan
 from conftest import approx
 from fig4.strength import Block, largest_deviation, map_strata, over_events, prepared_block
 from fig4.strength import share_near
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 from measure.pairs import share_of_lower
 
 LINES = {"uniform": ([0.0, 1.0], [1.0, 0.0]), "bell": ([0.0, 1.0], [1.0, 0.5])}

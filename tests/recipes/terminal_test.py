@@ -6,42 +6,42 @@ from claims.claim import Claim, Share, write_claims
 from claims.judge import judged
 from claims.print_claims import print_claims
 from claims.released import released
-from claims.samples import Samples, Unit
+from claims.samples import Samples, Sample
 from fixture import spill
-from measure.conventions import PRIMARY
+from measure.ways import PRIMARY
 
 
 def claim(name, *judged):
-    """With these values of its case, shares, verdict and reason."""
+    """With these values of what is shown, shares, verdict and reason."""
     return Claim(name, "finding", "today", "what the paper says", "if it is so", {}, *judged)
 
 
-SHARE = Share("primary", 3, 20, 0.06, 0.31)
+SHARE = Share("primary", 3, 20, 20, 0.06, 0.31)
 CLAIMS = [
-    claim("3A", "holds", [], None, "only the case shown was judged, no other events"),
-    claim("3B", "does not hold", [], None, "only the case shown was judged"),
-    claim("4C", "holds", [SHARE], "depends", "holds in 3 of 20 runs (primary)"),
+    claim("3A", "holds", [], None, "no sample has been computed yet"),
+    claim("3B", "does not hold", [], None, "no sample has been computed yet"),
+    claim("4C", "holds", [SHARE], "in part", "holds in 3 of 20 runs (primary)"),
 ]
-TABLE = """id,kind,fixed,verdict,holds,units,version,numbers
+TABLE = """id,kind,fixed,verdict,holds,samples,version,numbers
 3A,finding,today,reproduced,86,91,0.4.0,{}
 3C-inset,finding,today,depends,1,1,0.4.0,{}
 choices,,,,,,0.4.0,{}
 """
 BUILD = "rupture 0.4.0, commit 616c08cac6ea, gcc 12"
 TEXT = """
-fig3: 1 depends; for the case shown, without a verdict, 1 of 2 claims holds
+fig3: 1 in part; for what is shown, without a verdict, 1 of 2 claims holds
 
 claim of the paper
-      case shown      verdict         share               least  under
+      shown           verdict         share               least  measured by
 ----------------------------------------------------------------------------------------------------
 3A: what the paper says
       holds           -
-      only the case shown was judged, no other events; released verdict: 0.4.0: reproduced, 86 of 91
+      no sample has been computed yet; released verdict: 0.4.0: reproduced, 86 of 91
 3B: what the paper says
       does not hold   -
-      only the case shown was judged
+      no sample has been computed yet
 4C: what the paper says
-      holds           depends         0.15 (0.06-0.31)    0.15   primary
+      holds           in part         0.15 (0.06-0.31)    0.15   primary
       holds in 3 of 20 runs (primary)
 Pictures and data: {folder}/
 A verdict needs runs with other random numbers: {command} makes them once, which takes long.
@@ -68,23 +68,22 @@ def test_verdicts_of_the_release_are_of_its_programs(tmp_path, builds, known):
 @pytest.mark.parametrize(
     "count, reason",
     [
-        (0, "only the case shown was judged, no other seeds"),
-        (1, "only 1 seed was judged; a verdict needs 5"),
-        (2, "only 2 seeds were judged; a verdict needs 5"),
+        (0, "no sample has been computed yet"),
+        (4, "no sample has been computed yet"),
         (5, "holds"),
     ],
 )
-def test_a_claim_of_few_samples_says_how_many(count, reason):
+def test_a_claim_of_few_seeds_has_no_verdict(count, reason):
     row: dict = {
         "id": "x",
         "kind": "finding",
         "fixed": "",
         "says": "",
         "accepted": "",
-        "unit": "seed",
+        "share_of": "seeds",
     }
     row["conditions"] = {"x": {"above": 2}}
-    samples = Samples({"": 3}, {PRIMARY: [Unit(None, 3)] * count})
+    samples = Samples({"": 3}, {PRIMARY: [Sample(None, 3)] * count})
     assert judged(row, lambda x, _: {"x": x}, samples).reason == reason
 
 
@@ -109,7 +108,7 @@ def test_advice_for_a_verdict_names_recipes_of_the_same_paper(
     assert ("A verdict needs" in said) == bool(advice)
 
 
-def test_a_case_is_no_verdict(tmp_path, capsys):
+def test_what_is_shown_is_no_verdict(tmp_path, capsys):
     folder = tmp_path / "fig3"
     folder.mkdir()
     write_claims(folder / "claims.json", CLAIMS, builds=[(BUILD, 2)])

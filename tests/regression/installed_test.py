@@ -49,8 +49,8 @@ def test_a_test_of_ones_own_notices_that_results_changed(prefix, folder, monkeyp
     replace(Path("my_test.sh"), "sigma-bar 0.15", "sigma-bar 0.16")
     said = run("bash", "my_test.sh")
     assert said.returncode == 1
-    assert "differs  event-record.h5 is intact but has content checksum" in said.stdout
-    assert "\n3 differs\n" in said.stdout
+    assert "changed  event-record.h5 is intact but has content checksum" in said.stdout
+    assert "\n3 changed\n" in said.stdout
 
 
 def test_rupture_finds_its_tools_and_recipes_and_writes_where_it_is_called(prefix, folder):
