@@ -109,7 +109,8 @@ def test_results_are_those_of_one_machine(lab, workers):
 
 def test_a_sweep_has_the_table_of_one_machine(shared, tmp_path):
     tables = []
-    for folder, own in (("here", {}), ("afar", {SCHEDULER: str(shared.file)})):
+    places: dict[str, dict] = {"here": {}, "afar": {SCHEDULER: str(shared.file)}}
+    for folder, own in places.items():
         (tmp_path / folder).mkdir()
         project = Project(tmp_path / folder, os.environ | own)
         (project.root / "my.ini").write_text(SWEEP)

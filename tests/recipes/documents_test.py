@@ -75,6 +75,6 @@ def test_what_is_printed_can_be_typed_in_one_folder(folder, monkeypatch):
 
 def test_the_example_of_branches_begins(folder):
     """All of it takes a minute."""
-    words = [sys.executable, ROOT / "docs/examples/branches.py", "--dry-run"]
+    words = [sys.executable, f"{ROOT}/docs/examples/branches.py", "--dry-run"]
     done = subprocess.run(words, capture_output=True, text=True, check=True, cwd=folder)
     assert done.stdout.splitlines()[1:] == ["rupture analyze events r.h5"], done.stderr
