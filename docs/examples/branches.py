@@ -6,7 +6,7 @@ import sys
 
 from rupture.once import each, run
 
-RECORD = "--for 10ms --record record.h5 --record-every 1e-5"
+RECORD = "--for 12ms --record record.h5 --record-every 1e-5"
 load = run("load -o load.h5 --until 0.7 --checkpoint-every 0.05 --record r.h5 --record-every 1ms")
 
 

@@ -50,8 +50,7 @@ def use(store=None, cores=None, dry_run=None, cap=None, executor=None, megabytes
     executor = executor or (Workers if is_far else Local)(megabytes, threads)
     place = (Onlooker if dry_run else Store)(store or os.environ.get("RUPTURE_STORE", "store"))
     current.append(Making(place, executor, Pool(cores or executor.cores), dry_run, cap))
-    if not cores:
-        executor.watch(current[0].pool.resize)
+    executor.watch((lambda _: None) if cores else current[0].pool.resize)
     for number in ENDING:
         if is_main() and signal.getsignal(number) != signal.SIG_IGN:  # as with nohup
             signal.signal(number, end)

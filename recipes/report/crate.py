@@ -185,8 +185,8 @@ def run_of(root, name, source, built):
 def crate(root, now):
     """The JSON-LD: a flat list of entities."""
     results, source = root / "results", software()
-    sweeps = sorted(f"sweeps/{path.parent.name}" for path in results.glob("sweeps/*/*.ini"))
     ours = written(results)
+    sweeps = sorted({str(Path(name).parent) for name in ours if Path(name).match("sweeps/*/*.ini")})
     recipes = [name for name in recipe_names(root) if f"{name}/{CLAIMS}" in ours]
     built: dict[str, dict] = {}
     runs = []

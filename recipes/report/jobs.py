@@ -7,22 +7,18 @@ from collections import Counter
 
 from claims.recipes import RECIPES
 from report.machine import is_moment
-from rupture.commands.folder import fits, parsed, read_own
-from rupture.commands.identity import PLAIN, Made
+from rupture.commands.folder import parsed, read_own
+from rupture.commands.identity import Made
 from rupture.commands.script import with_sources
+from rupture.commands.store import have_plain_names
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
 JOBS = "jobs.jsonl"
 
 
-def are_checksums(value):
-    """Of files, by plain names."""
-    return fits(value, {"": str}) and all(map(PLAIN.fullmatch, value))
-
-
 JOB = {"id": re.compile("[0-9a-f]+"), "command": str, "inputs?": {"": str}, "build?": str}
-JOB |= {"started?": is_moment, "seconds?": is_moment, "checksums?": are_checksums}
+JOB |= {"started?": is_moment, "seconds?": is_moment, "checksums?": have_plain_names}
 STORED = ("build", "started", "seconds", "checksums")  # what the store knows of a command
 
 

@@ -3,6 +3,7 @@ the last line counts; with -, the file is being written or was deleted. Nothing 
 deleted or shown, and what is not as it was written is made again."""
 
 import os
+import re
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path, PurePosixPath
@@ -126,11 +127,12 @@ def intact(results, place):
 
 @contextmanager
 def leave_out(name):
-    """Says why a recipe is not shown."""
+    """Says why a recipe is not shown, or a sweep."""
     try:
         yield
     except Failure as why:
-        complain_once(f"{why}: left out until ./reproduce.sh {name} has made it again")
+        typed = re.sub("^sweeps/(.*)", r"sweep \1.ini", name)
+        complain_once(f"{why}: left out until ./reproduce.sh {typed} has made it again")
 
 
 @cache

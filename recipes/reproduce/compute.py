@@ -143,7 +143,7 @@ def is_current(path):
     texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
     of_recipes = (RESULTS / name for name in recipe_names(SHARE))
     shown = [
-        *RESULTS.glob("sweeps/*/*.json*"),
+        *RESULTS.glob("sweeps/*/*"),
         *(one for at in of_recipes for one in at.glob("*.json*")),
     ]
     sources = [one for one in (*scripts, *texts, *shown) if one.is_file()]

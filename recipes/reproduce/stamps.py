@@ -13,7 +13,7 @@ from reproduce.project import RESULTS
 from rupture.commands.code import OURS, digest_at, modules_behind, path_of, read_module, stamp_of
 from rupture.commands.folder import complain
 from rupture.errors import Failure
-from rupture.programs import DRAWING
+from rupture.programs import DRAWING, PACKAGE
 
 ASKED = "asked"
 NEEDS = {"asked": [str], "is_finished": bool}  # what is noted of it
@@ -27,7 +27,8 @@ def record_of(recipe, kind):
 
 
 def content_of(path, store):
-    if path.suffix == ".py":
+    """Anybody may have named a file in the store: only modules of ours are parsed."""
+    if not {RECIPES, PACKAGE}.isdisjoint(path.resolve().parents):
         return read_module(path, store)[0]
     return digest_at(path, stamp_of(path))
 
@@ -75,7 +76,7 @@ def is_current(recipe, is_whole, store, main=CLAIMS):
         return False
     new: dict[str, list] = {}
     for path, known in stamp["files"].items():
-        with suppress(OSError, ValueError):
+        with suppress(OSError, ValueError, Failure):
             if known[:1] == [[*stamp_of(path)]]:
                 continue
             new |= described([path], store)

@@ -8,7 +8,7 @@ from reproduce import stamps
 from reproduce.compute import prepare, write_crate
 from reproduce.project import RESULTS, STORE, complain, say
 from rupture import once
-from rupture.tools.command_line import plural
+from rupture.tools.command_line import in_one_line, plural
 from sweeps.text import name_of
 
 SAID = "said"
@@ -25,7 +25,7 @@ def run_sweep(request, processes):
         said = said_of(name, request.file) or make(name, request)
     finally:
         once.finish()
-    say("\n".join(said["lines"]))
+    say("\n".join(map(in_one_line, said["lines"])))
     if said["code"]:
         complain("to retry the unfinished points, run the same command again")
     write_crate(processes)

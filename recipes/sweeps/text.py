@@ -25,7 +25,7 @@ def check_letters(text):
 def name_of(path):
     """The name of its results."""
     check_letters(path.stem)
-    if path.stem.startswith(".") or len(path.stem) > 100:
+    if path.stem.startswith(".") or len(path.stem.encode()) > 200:
         raise UsageError(f"{path}: rename the file: its results take its name")
     return path.stem
 

@@ -1,5 +1,6 @@
 """Which files stay, which go and are made again, and what is found in the store."""
 
+import json
 import os
 import shutil
 from pathlib import Path
@@ -125,10 +126,12 @@ def endless(path):
     path.symlink_to("/dev/zero")
 
 
-def forge(path):
+def forge(path, body=b'"command": 1}'):
     """With the digest of what has another form."""
-    body = b'"command": 1}'
     path.write_bytes(head(path.stem, body) + body)
+
+
+HUGE = f'"command": "", "build": null, "started": 1, "seconds": {10**400}, "status": "done",'
 
 
 WAYS = [
@@ -137,6 +140,7 @@ WAYS = [
     pipe,
     endless,
     forge,
+    lambda path: forge(path, f'{HUGE} "report": {{"read": ""}}}}'.encode()),
     Path.unlink,
     lambda path: path.write_bytes(b""),
     lambda path: os.truncate(path, 9),
@@ -162,6 +166,22 @@ def test_what_is_not_as_it_was_written_is_made_again_with_a_sentence(
     front(words="--x 2", keep=["a.h5"])
     assert len(lab.ran()) == (5 if again[0] == "m" else 6)
     assert capfd.readouterr().err == ""
+
+
+def test_nothing_outside_is_deleted_whatever_a_result_says_of_its_files(lab):
+    outside = lab.write("outside", "mine")
+    front(keep=["a.h5"])
+    lab.call()
+    for path in lab.store.glob("??/*.a.h5"):
+        path.unlink()
+        own = path.name.removesuffix("a.h5")
+        path.with_name(own).mkdir()
+        result = path.with_name(f"{own}json")
+        known = json.loads(result.read_bytes()) | {"kept": {"/../../../outside": ""}}
+        known.pop("digest")
+        forge(result, json.dumps(known)[1:].encode())
+    front(words="--x 1", keep=["a.h5"])
+    assert outside.read_text() == "mine"
 
 
 def test_a_result_of_another_command_is_none(lab):

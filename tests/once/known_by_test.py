@@ -79,6 +79,10 @@ def test_a_changed_program_counts_its_version_does_not(lab):
     same = digest_at(str(BIN / "analyze"), stamp_of(BIN / "analyze"))
     assert digest_without_first_byte_of(b".rupture_version") == same
     assert digest_without_first_byte_of(b".text") != same
+    path.write_bytes(text[:70])
+    assert digest_at(str(path), stamp_of(path)) != same, "it is no whole program"
+    with pytest.raises(Failure, match="cannot read /proc/self/mem: Input/output error"):
+        digest_at("/proc/self/mem", None)
 
 
 def test_the_words_that_are_typed_are_those_that_run(lab):

@@ -10,12 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from conftest import skip, wait_for
+from conftest import BIN, skip, wait_for
 from endings_test import sleeping
 from rupture import once
 from rupture.commands.workers import SCHEDULER, programs_of
 from rupture.errors import Failure, MachineFailure
 from rupture.once import each, run
+from stand_ins import SWEEP, Project
 
 pytest_plugins = "laboratory"
 
@@ -103,6 +104,37 @@ def test_results_are_those_of_one_machine(lab, workers):
     lab.call(**here)
     assert everything() == afar and len(afar[1]) == 16
     assert not [*Path(workers.folder).rglob("*.h5")]
+
+
+def test_a_sweep_has_the_table_of_one_machine(shared, tmp_path):
+    tables = []
+    places: dict[str, dict] = {"here": {}, "afar": {SCHEDULER: str(shared.file)}}
+    for folder, own in places.items():
+        (tmp_path / folder).mkdir()
+        project = Project(tmp_path / folder, os.environ | own)
+        (project.root / "my.ini").write_text(SWEEP)
+        done = project.call("sweep", "my.ini", "--programs", BIN)
+        assert done.returncode == 0, done.stderr
+        tables.append((project.root / "results/sweeps/my/my.csv").read_text())
+    assert tables[0] == tables[1] and tables[0].count("done") == 2
+
+
+def test_a_call_says_that_it_waits_for_workers(lab, workers, monkeypatch, capsys):
+    monkeypatch.setattr("rupture.commands.workers.PAUSE", 0.2)
+    making, said = lab.call(cores=WORKERS), ""
+
+    def point(n):
+        nonlocal said
+        if n:
+            return run("analyze stress").said
+        workers.started[-1].terminate()
+        wait_for(lambda: not making.executor.client.scheduler_info()["workers"])
+        time.sleep(1)
+        said = capsys.readouterr().err
+        return workers.start("worker", "--nworkers", WORKERS, "--nthreads", 1)
+
+    each(point, range(2))
+    assert said.count("waiting for workers: none is left at the scheduler of ") == 1
 
 
 def test_the_command_of_a_killed_worker_is_done_by_another(lab, workers):

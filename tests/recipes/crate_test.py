@@ -115,8 +115,14 @@ def test_files_and_folders_exist_and_belong_to_the_root(project):
     assert str(project.root) not in json.dumps(found)
 
 
-def test_checkpoints_and_recipes_without_files_are_left_out(project):
-    assert "#run-fig5" not in graph(project)
+def test_checkpoints_and_recipes_without_files_are_left_out(project, capsys):
+    spill(project.results / "sweeps/mine/mine.ini", "[commands]\n")
+    project.seal()
+    for name in ("mine", "theirs"):
+        spill(project.results / f"sweeps/{name}/{name}.ini", "[commands]\na = b\n")
+    runs = [one["@id"] for one in crate(project.root, NOW)["@graph"] if "#run-" in one["@id"]]
+    assert len(runs) > 3 and not {"#run-fig5", "#run-sweeps/mine", "#run-sweeps/theirs"} & {*runs}
+    assert "left out until ./reproduce.sh sweep mine.ini has made it" in capsys.readouterr().err
     (project.results / "store/ab/ab12.load.h5").unlink()
     assert not [name for name in graph(project) if name.startswith("store/")]
 

@@ -71,3 +71,10 @@ def test_what_is_printed_can_be_typed_in_one_folder(folder, monkeypatch):
             done = subprocess.run(words, capture_output=True, text=True, check=False)
             wanted = 1 if "analyze diff " in words[2] else 0
             assert done.returncode == wanted, (page, words[2], done.stdout[-500:] + done.stderr)
+
+
+def test_the_example_of_branches_begins(folder):
+    """All of it takes a minute."""
+    words = [sys.executable, f"{ROOT}/docs/examples/branches.py", "--dry-run"]
+    done = subprocess.run(words, capture_output=True, text=True, check=True, cwd=folder)
+    assert done.stdout.splitlines()[1:] == ["rupture analyze events r.h5"], done.stderr

@@ -3,12 +3,14 @@ changes; interrupted, killed or damaged, nothing goes on by itself, and the same
 it (recipes/reproduce/sweeps.py)."""
 
 import signal
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
 
 from measure.tables import read_rows
 from conftest import BIN, wait_for
+from rupture.commands.store import BODY, head
 from stand_ins import SWEEP, WITHIN, Project
 
 # Dies like a process without memory if there is a file `die` in the project's folder.
@@ -111,6 +113,15 @@ def test_the_same_command_goes_on_and_keeps_what_is_finished(sweep, number, code
     assert process.wait(WITHIN) == code
     assert "4 points: 4 done.\nComputed now: 2; already done: 2." in sweep.go()
     assert sweep.running() == []
+    for old, new in (("F_T", "F"), ("F", "G")):
+        sweep.replace("my.ini", f"{old} = ", f"{new} = ")
+        sweep.go()
+    table = (sweep.root / "results/sweeps/my/my.csv").read_bytes()
+    assert sha256(table).hexdigest() in (sweep.root / "results/ro-crate-metadata.json").read_text()
+    [path] = sweep.root.glob("results/store/re/*-said.json")
+    body = path.read_bytes()[BODY:].replace(b"Table", b"\\u001bTable")
+    path.write_bytes(head(path.stem, body) + body)
+    assert "?Table: my.csv" in sweep.go()
 
 
 # --- what the file says ------------------------------------------------------------------------

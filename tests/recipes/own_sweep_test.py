@@ -244,7 +244,7 @@ def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sente
         read(text)
 
 
-@pytest.mark.parametrize("name", [".sweep", "a\nb"])
+@pytest.mark.parametrize("name", [".sweep", "a\x1bb", "a\nb", "\u754c" * 67])
 def test_names_that_results_cannot_have_are_refused(read, name):
     with pytest.raises(UsageError, match="rename the file|control character"):
         read(SWEEP, name)

@@ -7,12 +7,19 @@ import os
 import re
 import shutil
 import signal
+from contextlib import suppress
 
 import pytest
 
+from claims.claim import read_results
+from claims.own_result import results_in
 from conftest import ROOT
 from fixture import SHARE, START, Project, spill
+from report import page
+from report.jobs import read_jobs
 from report.written import seal
+from reproduce import stamps
+from rupture.errors import Failure
 from stand_ins import Project as Clone
 
 SECRET = "a secret of the user"
@@ -153,8 +160,76 @@ def test_a_command_ends_with_a_sentence(
     assert name == "results" or (results / "mine").read_text() == SECRET
 
 
+# --- with the right checksums
+
+
+def test_only_modules_of_ours_are_parsed(tmp_path):
+    spill(tmp_path / "a.py", "def (:")
+    assert len(stamps.content_of(tmp_path / "a.py", None)) == 16
+    os.mkfifo(tmp_path / "b.py")
+    with pytest.raises(Failure, match="b.py: not a regular file"):
+        stamps.content_of(tmp_path / "b.py", None)
+
+
+VALUES: tuple = (
+    None,
+    True,
+    -1,
+    1e400,
+    10**400,
+    "<script>$\\frac{",
+    "../../outside",
+    "/etc/passwd",
+)
+VALUES += ([], {}, [[{}]], {"../x": 1}, {"at_least": "1/0"})
+
+
+def changed(document):
+    """The document, each with another value in one of its places."""
+    if isinstance(document, dict):
+        places: list = [*document]
+    else:
+        places = [*range(len(document))] if isinstance(document, list) else []
+    for place in places:
+        for value in VALUES:
+            yield (other := copy.copy(document)).__setitem__(place, value) or other
+        for part in changed(document[place]):
+            yield (other := copy.copy(document)).__setitem__(place, part) or other
+        if isinstance(document, dict):
+            yield {name: one for name, one in document.items() if name != place}
+
+
+def documents(results):
+    """(name, reader, text of a document) of a changed one."""
+    whole = json.loads((results / "fig2/claims.json").read_text())
+    for one in changed(whole | {"claims": whole["claims"][:1], "builds": [["a", 1]]}):
+        yield "claims.json", lambda folder: read_results(folder / "claims.json"), json.dumps(one)
+    for one in changed([OWN]):
+        yield "own.json", results_in, json.dumps(one)
+    for job in read_jobs(results / "fig2"):
+        for one in changed(job):
+            yield "jobs.jsonl", read_jobs, json.dumps(one) + "\n"
+
+
+def test_other_types_and_values_are_refused_or_shown_as_text(copied, monkeypatch):
+    monkeypatch.setattr(page, "glance_picture", lambda *_: None)
+    monkeypatch.setattr(page, "with_results", lambda _: ["fig2"])
+    shown = 0
+    for name, reader, text in documents(copied.results):
+        path = copied.results / "fig2" / name
+        before = path.read_text() if path.exists() else "[]"
+        path.write_text(text)
+        with suppress(Failure):
+            reader(path.parent)
+            seal(copied.results, path)
+            html = page.render(page.contents(copied.root, ""))
+            assert "<script" not in html and not re.search(r"(href|src)=.(\.\.|/)", html)
+            shown += 1
+        path.write_text(before)
+    assert shown > 20
+
+
 def test_texts_in_the_picture_of_all_claims_are_texts(copied):
-    """With the right checksum."""
     path = copied.results / "fig2/claims.json"
     content = json.loads(path.read_text())
     for claim in content["claims"]:

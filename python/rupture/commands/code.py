@@ -12,6 +12,7 @@ import struct
 import sys
 import sysconfig
 import time
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -49,11 +50,21 @@ def stamp_of(path):
 @cache
 def digest_at(path, _stamp):
     """The digest of a file; of a program only what is in memory when it runs."""
-    with open_regular(path) as file:
-        content = file.read()
-    if not content.startswith(ELF):
-        return digest(content)
-    return digest(*(text for name, text in sections(content) if name not in NOT_COMPUTED_WITH))
+    content = bytes_of(path)
+    if content.startswith(ELF):
+        with suppress(struct.error, ValueError, IndexError, OverflowError):  # it is no program
+            pairs = [*sections(content)]
+            return digest(*(text for name, text in pairs if name not in NOT_COMPUTED_WITH))
+    return digest(content)
+
+
+def bytes_of(path):
+    """Of a file of anybody."""
+    try:
+        with open_regular(path) as file:
+            return file.read()
+    except OSError as error:
+        raise Failure(f"cannot read {path}: {error.strerror}") from error
 
 
 # --- programs ----------------------------------------------------------------------------------

@@ -16,13 +16,14 @@ from types import UnionType
 from typing import NamedTuple
 
 from rupture.errors import Failure
+from rupture.tools.command_line import in_one_line
 
 LARGEST = 2**28  # of a file that is read as a whole [bytes]
 HOLDS_LINKS = "is a link, which is not followed: move it away"
 
 
 def complain(sentence):
-    print(sentence, file=sys.stderr, flush=True)
+    print(in_one_line(sentence), file=sys.stderr, flush=True)
 
 
 def open_regular(path, flags=0):
@@ -74,10 +75,17 @@ def nothing(_):
     return False
 
 
+def integer(text):
+    """Larger ones than a seed are none of ours, and no number of floating point may have them."""
+    if len(text) > len(str(2**64)):
+        raise ValueError(f"{text[:20]}… is too large")
+    return int(text)
+
+
 def parsed(text, form, **options):
     """JSON of a form. Raises ValueError for any other."""
     try:
-        value = json.loads(text, **options)
+        value = json.loads(text, parse_int=integer, **options)
     except RecursionError:
         raise ValueError("it is nested too deeply") from None
     if not fits(value, form):

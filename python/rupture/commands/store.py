@@ -13,6 +13,7 @@ from pathlib import Path
 
 from rupture.commands.code import stamp_of
 from rupture.commands.folder import Marker, complain, fits, open_own, parsed, read_own, sha256_of
+from rupture.commands.identity import PLAIN
 from rupture.errors import MachineFailure
 
 MARKER = Marker("rupture-store", "Results of rupture, layout 1. All of it may be deleted.\n")
@@ -20,7 +21,15 @@ BODY = len('{"digest": "",') + 64  # where the rest of a result begins
 COMMON = {"command": str, "build": str | None, "started": int, "seconds": float | int, "code?": int}
 REFUSED = COMMON | {"status": re.compile("refused"), "sentence": str}
 REPORTED = COMMON | {"status": re.compile("done"), "report": object}
-MADE = COMMON | {"status": re.compile("done"), "checksums?": {"": str}, "kept": {"": str}}
+
+
+def have_plain_names(value):
+    """Whether each text is that of a file in the folder of its command."""
+    return fits(value, {"": str}) and all(map(PLAIN.fullmatch, value))
+
+
+MADE = COMMON | {"status": re.compile("done"), "checksums?": have_plain_names}
+MADE |= {"kept": have_plain_names}
 
 
 class Report(dict):

@@ -11,6 +11,7 @@ import time
 from math import inf
 from contextlib import suppress
 
+from rupture.commands.folder import complain
 from rupture.commands.machine import ROOM
 from rupture.errors import Failure, MachineFailure
 
@@ -117,12 +118,19 @@ class Workers:
         return max(1, sum(programs_of(one, self.megabytes, self.threads) for one in workers))
 
     def watch(self, resize):
-        """Workers come and go."""
+        """Workers come and go. If all have gone, it says so, once."""
 
         def count():
+            had_workers = True
             while not self.ended.wait(PAUSE):
                 with suppress(OSError):  # commands meet this, too, and say so
                     resize(self.cores)
+                    has_workers = bool(self.client.scheduler_info()["workers"])
+                    if had_workers and not has_workers:
+                        complain(
+                            f"waiting for workers: none is left at the scheduler of {self.file}"
+                        )
+                    had_workers = has_workers
 
         threading.Thread(target=count, daemon=True).start()
 
@@ -130,7 +138,8 @@ class Workers:
         variables = {"OMP_NUM_THREADS": str(self.threads)}
         variables |= {name: os.environ[name] for name in TOLD if name in os.environ}
         try:
-            given = words, str(folder), os.listdir(folder), variables
+            plain = [str(word) for word in words]  # workers do not know subclasses of ours
+            given = plain, str(folder), os.listdir(folder), variables
             return self.client.submit(self.job, *given, pure=False).result()
         except self.dask.KilledWorker:
             raise Failure(f"{words} has ended several workers: give them more memory") from None
