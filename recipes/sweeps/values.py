@@ -34,7 +34,7 @@ ARITHMETIC: dict[type, Callable] = {
 
 
 def is_along_x(text):
-    return bool(re.search(r"\sfrom\s", text))
+    return " from " in text
 
 
 def text_of(number):

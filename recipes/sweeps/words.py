@@ -15,6 +15,7 @@ from rupture.errors import UsageError
 from rupture.programs import output_of
 from rupture.tools.command_line import check_known, suggestion
 from rupture.units import AMOUNT, in_si
+from sweeps.values import is_along_x
 
 PROGRAMS = ("analyze", *WRITERS)
 HOLE = re.compile(r"\{([^{}]*)\}")
@@ -218,10 +219,6 @@ class Command:
 def is_option(word):
     """Negative numbers are none."""
     return word.startswith("-") and not AMOUNT.match(word)
-
-
-def is_along_x(text):
-    return " from " in text
 
 
 def check_value(name, text, described):

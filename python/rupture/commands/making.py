@@ -11,7 +11,7 @@ from rupture.commands.code import digest_of_program, path_of, stamp_of
 from rupture.commands.folder import complain
 from rupture.commands.identity import Made, Refused
 from rupture.commands.pool import Stopped
-from rupture.commands.store import writing
+from rupture.commands.store import link_or_copy, writing
 from rupture.errors import Failure
 
 
@@ -214,7 +214,7 @@ class Making:
         with writing(folder):
             folder.mkdir()
             for name, path in paths.items():
-                put_input(path, folder / name)
+                link_or_copy(path, folder / name, os.symlink)
         result = {"command": work.line, "build": work.build(), "started": int(time.time())}
         result |= work.done_in(folder, self.executor)
         result["seconds"] = round(time.monotonic() - since, 3)
@@ -276,10 +276,3 @@ class Making:
         if result and work.kept - result["kept"].keys():  # asked for after it was done
             self.store.save(work.own, result | {"kept": self.stored(work, result)})
         shutil.rmtree(self.store.now / work.own, ignore_errors=True)
-
-
-def put_input(path, place):
-    try:
-        os.symlink(path, place)
-    except OSError:  # a file system without links
-        shutil.copyfile(path, place)
