@@ -2,19 +2,8 @@
 
 import errno
 
-MACHINE = (
-    "ENOSPC",
-    "EDQUOT",
-    "EFBIG",
-    "EROFS",
-    "EACCES",
-    "EPERM",
-    "ENOMEM",
-    "EIO",
-    "EMFILE",
-    "ENFILE",
-)
-OF_MACHINE = {getattr(errno, name) for name in MACHINE}
+OF_MACHINE = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EACCES, errno.EPERM}
+OF_MACHINE |= {errno.ENOMEM, errno.EIO, errno.EMFILE, errno.ENFILE}
 
 
 class Failure(Exception):

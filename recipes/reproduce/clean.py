@@ -6,10 +6,12 @@ from contextlib import suppress
 from pathlib import Path
 
 from reproduce.project import READ, ROOT, WORK, say
-from reproduce.unneeded import clean_unneeded
+from reproduce.stamps import ASKED, NEEDS
 from report.written import FORMER, MARKER, is_below, written
-from rupture.commands import store
+from rupture.commands.store import MARKER as OF_STORE, Store
 from rupture.commands.folder import read_own
+from rupture.errors import Failure
+from rupture.tools.command_line import plural
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"
@@ -78,10 +80,10 @@ def say_left(left):
 
 def delete_store():
     """What commands have found; not behind a link. Returns whether there was any."""
-    is_ours = is_here(STORE) and store.MARKER.is_in(STORE)
+    is_ours = is_here(STORE) and OF_STORE.is_in(STORE)
     if is_ours:
-        store.MARKER.check(STORE)
-        lock = store.MARKER.lock(STORE)  # it goes last
+        OF_STORE.check(STORE)
+        lock = OF_STORE.lock(STORE)  # it goes last
         for folder in filter(Path.is_dir, STORE.iterdir()):
             shutil.rmtree(folder)
         shutil.rmtree(STORE)
@@ -122,3 +124,39 @@ def clean_all():
         say_left(left)
     if lock:
         lock.close()
+
+
+# --- results that no recipe has asked for last time ---------------------------------------------
+
+
+def needed(store):
+    """Ids of commands. Raises Failure if a recipe was not finished, so that one cannot know."""
+    found = set()
+    for path in store.folder.glob(f"re/*{ASKED}.json"):
+        own = path.name.removesuffix(".json")
+        asked = store.result(own, NEEDS) or {"is_finished": False}
+        if not asked["is_finished"]:
+            name = own.removeprefix("recipe-").removesuffix(f"-{ASKED}").replace(".", "/")
+            raise Failure(f"{name} was not finished, and what it needs would go: run it first")
+        found.update(asked["asked"])
+    return found
+
+
+def is_of_command(path, own, store):
+    """Not digests of modules, nor seconds of points."""
+    return path.suffix != ".json" or "command" in (store.result(own, dict) or {})
+
+
+def clean_unneeded():
+    if not STORE.is_dir():
+        say("Nothing was deleted.")
+        return
+    store = Store(STORE)
+    ids, deleted, size = needed(store), 0, 0
+    for path in store.folder.glob("[0-9a-f][0-9a-f]/*"):
+        own = path.name.partition(".")[0]
+        if own not in ids and is_of_command(path, own, store):
+            deleted, size = deleted + 1, size + path.stat().st_size
+            path.unlink()
+    store.close()
+    say(f"Deleted {plural(deleted, 'file')} of results that no figure needs, {size / 1e6:.1f} MB.")
