@@ -28,7 +28,8 @@ def record_of(recipe, kind):
 
 def content_of(path, store):
     """Anybody may have named a file in the store: only modules of ours are parsed."""
-    if not {RECIPES, PACKAGE}.isdisjoint(path.resolve().parents):
+    is_ours = not {RECIPES, PACKAGE}.isdisjoint(path.resolve().parents)
+    if is_ours and path.suffix == ".py":
         return read_module(path, store)[0]
     return digest_at(path, stamp_of(path))
 
