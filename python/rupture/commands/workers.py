@@ -123,7 +123,7 @@ class Workers:
         def count():
             had_workers = True
             while not self.ended.wait(PAUSE):
-                with suppress(OSError):  # commands meet this, too, and say so
+                with suppress(OSError, KeyError):  # no scheduler: commands say so
                     resize(self.cores)
                     has_workers = bool(self.client.scheduler_info()["workers"])
                     if had_workers and not has_workers:
