@@ -2,6 +2,7 @@
 
 import shutil
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -243,3 +244,10 @@ def test_what_was_asked_for_is_known_in_order(lab):
     wanted = ["analyze front a.h5", *points, "prepare -o b.h5", "analyze stress"]
     assert [work.line for work in log] == wanted
     assert front.said == "analyze front a.h5"
+
+
+def test_threads_may_save_one_result_at_a_time(lab):
+    """As of a module that several points measure with."""
+    store = once.use(store=lab.folder / "store", dry_run=False).store
+    with ThreadPoolExecutor(8) as pool:
+        assert all(pool.map(lambda _: store.save("ab01", {"code": "c", "imports": []}), range(800)))

@@ -10,6 +10,7 @@ import re
 import shutil
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from threading import get_ident
 
 from rupture.commands.code import stamp_of
 from rupture.commands.folder import Marker, complain, fits, open_own, parsed, read_own, sha256_of
@@ -109,7 +110,7 @@ class Store:
         body = json.dumps(result)[1:].encode()
         place = self.place(own, "json")
         with writing(place):
-            part = self.now / place.name
+            part = self.now / f"{get_ident()}-{place.name}"  # two threads may read one module
             part.write_bytes(head(own, body) + body)
             self.put(part, place)
         return as_read(body)
