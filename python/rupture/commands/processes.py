@@ -7,11 +7,20 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from threading import RLock
+from typing import Any
 
 from rupture.commands.machine import programs_at_a_time
 from rupture.errors import MachineFailure
 
 WITH_US = ["setpriv", "--pdeathsig", "KILL"]  # they are killed if we are
+APART: dict[str, Any] = {  # how a program of a command starts, wherever it does
+    "stdin": subprocess.DEVNULL,
+    "stdout": subprocess.PIPE,
+    "stderr": subprocess.PIPE,
+    "text": True,
+    "errors": "replace",
+    "start_new_session": True,
+}
 
 
 class Local:
@@ -45,12 +54,7 @@ class Local:
                 [*self.prefix, *words],
                 cwd=folder,
                 env={"OMP_NUM_THREADS": str(self.threads), **os.environ},
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                text=True,
-                errors="replace",
-                start_new_session=True,
+                **APART,
             )
             self.running.add(process)
         return process

@@ -13,6 +13,7 @@ from contextlib import suppress
 
 from rupture.commands.folder import complain
 from rupture.commands.machine import ROOM
+from rupture.commands.processes import APART, WITH_US
 from rupture.errors import Failure, MachineFailure
 
 SCHEDULER = "RUPTURE_SCHEDULER"  # the file that `dask scheduler --scheduler-file` writes
@@ -24,7 +25,7 @@ INSTALL = f"{SCHEDULER} needs Dask: sudo apt-get install python3-distributed"
 
 def make_job():
     """What a worker does. A function within another is sent with its code, so that workers need
-    nothing of ours."""
+    nothing of ours, and what it names here goes with it."""
 
     def job(words, folder, inputs, variables):
         """Runs a program in a folder of its own on the worker's disk, and then gives what it wrote
@@ -39,17 +40,9 @@ def make_job():
                     os.symlink(os.path.realpath(f"{folder}/{name}"), f"{own}/{name}")
                 except OSError:  # a file system without links
                     shutil.copyfile(f"{folder}/{name}", f"{own}/{name}")
-            with_us = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
+            prefix = WITH_US if shutil.which(WITH_US[0]) else []
             process = subprocess.Popen(
-                [*with_us, *words],
-                cwd=own,
-                env=os.environ | variables,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                text=True,
-                errors="replace",
-                start_new_session=True,
+                [*prefix, *words], cwd=own, env=os.environ | variables, **APART
             )
             while process.returncode is None:
                 try:
@@ -111,11 +104,15 @@ class Workers:
             raise Failure(missing if client else dead) from error
         return client
 
+    def programs(self):
+        """How many each worker runs at a time."""
+        workers = self.client.scheduler_info()["workers"].values()
+        return [programs_of(one, self.megabytes, self.threads) for one in workers]
+
     @property
     def cores(self):
         """As many as workers have threads, if there is memory for as many programs."""
-        workers = self.client.scheduler_info()["workers"].values()
-        return max(1, sum(programs_of(one, self.megabytes, self.threads) for one in workers))
+        return max(1, sum(self.programs()))
 
     def watch(self, resize):
         """Workers come and go. If all have gone, it says so, once."""
@@ -124,8 +121,9 @@ class Workers:
             had_workers = True
             while not self.ended.wait(PAUSE):
                 with suppress(OSError, KeyError):  # no scheduler: commands say so
-                    resize(self.cores)
-                    has_workers = bool(self.client.scheduler_info()["workers"])
+                    programs = self.programs()
+                    resize(max(1, sum(programs)))
+                    has_workers = bool(programs)
                     if had_workers and not has_workers:
                         complain(
                             f"waiting for workers: none is left at the scheduler of {self.file}"
