@@ -9,13 +9,13 @@ from tempfile import TemporaryDirectory
 
 from rupture.commands.code import path_of
 from rupture.commands.processes import Local
-from rupture.tools.command_line import in_one_line, plural
+from rupture.tools.command_line import plural
+from sweeps.points import most_said
 from sweeps.words import without_time
 
 RUNS = ("load", "restart")  # they have --dry-run; other programs take no time
 WHOLE = 8  # points, of which all runs are estimated
 LONGEST = 30.0  # [s] for the first commands of others
-SHOWN = 5  # sentences
 
 
 def spread(points):
@@ -105,10 +105,7 @@ class Estimate:
         if self.refused:
             some = "" if self.asked == count else f", of {self.asked:,} points that were asked"
             yield f"Refused{some}:"
-        for sentence, times in self.refused.most_common(SHOWN):
-            yield f"  {times} x {in_one_line(sentence)}"
-        if len(self.refused) > SHOWN:
-            yield f"  and {plural(len(self.refused) - SHOWN, 'other sentence')}"
+        yield from most_said(self.refused)
 
 
 def duration(seconds):

@@ -4,10 +4,12 @@ from rupture.commands.identity import Command as Work
 from rupture.commands.identity import Made, Refused
 from rupture.commands.store import place_of
 from rupture.errors import Failure, UsageError
+from rupture.tools.command_line import in_one_line, plural
 from sweeps.sweep import find
 from sweeps.words import without_time
 
 DONE, REFUSED, UNFINISHED = "done", "refused", "unfinished"
+SHOWN = 5  # sentences
 LEFT_OUT = "{} was left out, because it needs a value that is null"
 
 
@@ -66,6 +68,14 @@ class Points:
         work = Work(inputs, self.making, self.sweep.folder)
         work.kept = {name for name in self.sweep.kept if without_time(name) in work.outputs}
         return self.making.name(work)
+
+
+def most_said(said, elsewhere=""):
+    """Lines with the sentences that most points end with; `said`: a Counter of them."""
+    lines = [f"  {times} x {in_one_line(sentence)}" for sentence, times in said.most_common(SHOWN)]
+    if len(said) > SHOWN:
+        lines.append(f"  and {plural(len(said) - SHOWN, 'other sentence')}{elsewhere}")
+    return lines
 
 
 def in_cell(value):

@@ -15,10 +15,9 @@ from measure.tables import write_table
 from rupture.tools.command_line import in_one_line, plural
 from rupture.units import without_unit
 from sweeps.picture import draw
-from sweeps.points import DONE, REFUSED, UNFINISHED
+from sweeps.points import DONE, REFUSED, UNFINISHED, most_said
 from sweeps.sweep import ELEMENT
 
-SHOWN = 5  # sentences of points without a result
 TWO_DECADES = 100
 FORMULA = re.compile(r"[=@]|[-+](?![\d.])")  # of a spreadsheet
 
@@ -151,9 +150,7 @@ def summary(sweep, rows):
     for status in (REFUSED, UNFINISHED):
         said = Counter(row["sentence"] for row in rows if row["status"] == status)
         lines += [f"{status.capitalize()}:"] * bool(said)
-        lines += [f"  {times} x {in_one_line(one)}" for one, times in said.most_common(SHOWN)]
-        if len(said) > SHOWN:
-            lines.append(f"  and {plural(len(said) - SHOWN, 'other sentence')}; the table has all")
+        lines += most_said(said, "; the table has all")
     for heading, path in sweep.columns.items() if counts[DONE] else ():
         if all(row[heading] is None for row in rows):
             lines.append(f"No point has a value for {path} ({heading}).")
