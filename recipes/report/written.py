@@ -55,12 +55,6 @@ def hold(results):
     return MARKER.lock(results)
 
 
-def append_to(path):
-    """Opens a file of ours at its end, and follows no link in its place."""
-    flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
-    return open(os.open(path, flags, 0o666), "w", encoding="utf-8")
-
-
 def append(results, digests):
     """What follows the last end of a line was not written whole."""
     path = Path(results, MARKER.name)

@@ -133,11 +133,8 @@ class Command:
     def check(self, words, is_file):
         """Raises UsageError for words that the program does not take, or that a sweep must not
         have. `is_file(word)`: whether there is such an input."""
-        options, given, rest = (
-            self.described.options(self.call),
-            {},
-            [*words[: self.begin - 1 : -1]],
-        )
+        options, rest = self.described.options(self.call), [*words[: self.begin - 1 : -1]]
+        given: dict[str, str] = {}
         while rest:
             word = rest.pop()
             if not is_option(word):

@@ -18,9 +18,8 @@ class Progress:
         self.title, self.store, self.guard = title, store, threading.Lock()
         self.own = digest("seconds", title)
         self.keys = [digest(repr(point)) for point in points]
-        self.seconds = (
-            store.result(self.own, {"": float | int}) if title else None
-        ) or {}  # of last time
+        last = store.result(self.own, {"": float | int}) if title else None
+        self.seconds = last or {}  # of last time
         usual = sum(self.seconds.values()) / max(1, len(self.seconds)) or 1.0
         self.expected = [self.seconds.get(key, usual) for key in self.keys]
         self.rest, self.worked, self.done = sum(self.expected), 0.0, 0
