@@ -27,17 +27,22 @@ def own_folder():
     return PACKAGE.parents[3] / "libexec/rupture"  # from lib/python3/dist-packages
 
 
-def path_of(program):
-    """A program in the folder $RUPTURE_BIN, in this build or installation, or in that of the
-    `rupture` on the PATH."""
+def folders():
+    """Where programs are: the folder $RUPTURE_BIN; or that of this build or installation, then
+    those of the `rupture` on the PATH."""
     own = os.environ.get("RUPTURE_BIN")
-    folders = [Path(own or own_folder())]
-    if not own and (rupture := shutil.which("rupture")):
-        bin_folder = Path(rupture).resolve().parent
-        folders += [bin_folder.parent / "libexec/rupture", bin_folder]
-    for path in (str(folder / program) for folder in folders):
+    yield Path(own or own_folder())
+    if not own and (found := shutil.which("rupture")):
+        bin_folder = Path(found).resolve().parent
+        yield from (bin_folder.parent / "libexec/rupture", bin_folder)
+
+
+def path_of(program):
+    """The path of a program in one of these folders."""
+    for path in (str(folder / program) for folder in folders()):
         if os.path.isfile(path) and os.access(path, os.X_OK):
             return path
+    own = os.environ.get("RUPTURE_BIN")
     where = f"not in RUPTURE_BIN={own}" if own else "neither built nor installed, nor on the PATH"
     raise Failure(
         f"program {program} not found: {where}; build it, or set RUPTURE_BIN to its folder"

@@ -67,10 +67,8 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
       state_(std::move(state)),
       bulk_(parameters, threads),
       helpers_(std::make_unique<Helpers>(bulk_.bands())),
-      law_(make_law(parameters, state_.junctions)),
       tau_(static_cast<std::size_t>(parameters.Nx)),
       eta_f_(foundation_damping_coefficient(parameters)),
-      F_T_(driving_force(parameters, state_)),
       pinned_below_{{kRupturedFraction, std::vector<bool>(tau_.size())}} {
   for (std::int64_t i = 0; i < parameters.Nx; ++i) {
     normal_.emplace_back(parameters, i);
@@ -84,15 +82,22 @@ Simulation::Simulation(const Parameters& parameters, State state, int threads,
   for (const double fraction : crossings) {
     pinned_below_.push_back({fraction, std::vector<bool>(tau_.size())});
   }
-  find_normal_forces();  // of the side with the support; F_N on the other does not change
-  law_->friction(state_.u_x.row(0), contact(), tau_.data());
-  note_ruptures();
-  ruptures_.clear();  // blocks that had ruptured before this simulation began
-  run_ = run_from(parameters_, state_.step);
-  power_ = initial_power();
+  state_was_changed();
 }
 
 Simulation::~Simulation() = default;
+
+void Simulation::state_was_changed() {
+  law_ = make_law(parameters_, state_.junctions);
+  F_T_ = driving_force(parameters_, state_);
+  find_normal_forces();  // of the side with the support; F_N on the other does not change
+  law_->friction(state_.u_x.row(0), contact(), tau_.data());
+  note_ruptures();
+  ruptures_.clear();  // blocks that had ruptured before
+  run_ = run_from(parameters_, state_.step);
+  work_ = {};
+  power_ = initial_power();
+}
 
 void Simulation::advance(std::int64_t steps) {
   if (steps == 0) return;

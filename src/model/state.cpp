@@ -1,5 +1,7 @@
 #include "rupture/model/state.hpp"
 
+#include <cmath>
+
 #include "rupture/model/derived.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/laws.hpp"
@@ -34,6 +36,18 @@ void refuse_other_parameters(const State& state, const Parameters& parameters) {
 
 double time_at(const Parameters& p, const Clock& clock, std::int64_t step) {
   return clock.origin_time + static_cast<double>(step - clock.origin_step) * p.dt;
+}
+
+std::int64_t steps_in(const Parameters& p, double duration) {
+  const double steps = std::round(duration / p.dt);
+  if (!(std::abs(steps) < 0x1p53)) {
+    throw UsageError("{:g} s is too long for time steps of {:g} s", duration, p.dt);
+  }
+  return static_cast<std::int64_t>(steps);
+}
+
+std::int64_t step_at(const Parameters& p, const Clock& clock, double t) {
+  return clock.origin_step + steps_in(p, t - clock.origin_time);
 }
 
 double time(const Parameters& p, const State& state) {

@@ -37,7 +37,7 @@ unpack() {
 mkdir -p "$2"
 exec 9>"$sysroot.lock" # two builds may want it at the same time
 flock 9
-mapfile -t packages < <(sed -n 's/#.*//; s/^build//p' "$here/../../packages.txt" | grep -oE '[a-z0-9-]+-dev')
+mapfile -t packages < <(sed -n '/pybind11/d; s/#.*//; s/^build//p' "$here/../../packages.txt" | grep -oE '[a-z0-9-]+-dev')
 if [[ $(cat "$sysroot/packages" 2>/dev/null) == "${packages[*]}" ]]; then exit 0; fi
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-deb >/dev/null; then

@@ -47,6 +47,10 @@ class Simulation {
 
   const Parameters& parameters() const { return parameters_; }
   const State& state() const { return state_; }
+  /// For those who change the state between two steps. They then call state_was_changed().
+  State& state_to_change() { return state_; }
+  /// Finds what follows from the state anew, in the same memory. Work, ruptures and run begin here.
+  void state_was_changed();
   double time() const { return rupture::time(parameters_, state_); }
 
   std::span<const double> p() const { return p_; }      ///< normal force per interface block [N]
@@ -101,7 +105,7 @@ class Simulation {
   double dashpot_power_ = 0;    // that they take [W]
   std::vector<double> bottom_;  // with them: force from below on each bottom block [N]
   std::vector<double> top_;     // force from above on each top block, downwards [N]
-  double F_T_;
+  double F_T_ = 0;
   std::vector<PinnedBelow> pinned_below_;  // first of kRupturedFraction
   std::vector<Rupture> ruptures_;
   RunSoFar run_;

@@ -63,6 +63,12 @@ void refuse_other_parameters(const State& state, const Parameters& parameters);
 /// Time of `step`, not before the clock's origin [s].
 double time_at(const Parameters& parameters, const Clock& clock, std::int64_t step);
 
+/// The number of steps nearest to a duration [s]. Throws UsageError if it is not below 2^53.
+std::int64_t steps_in(const Parameters& parameters, double duration);
+
+/// The step nearest to time t [s]; throws as steps_in().
+std::int64_t step_at(const Parameters& parameters, const Clock& clock, double t);
+
 /// Simulated time of the state [s].
 double time(const Parameters& parameters, const State& state);
 

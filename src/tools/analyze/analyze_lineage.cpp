@@ -44,6 +44,10 @@ struct StartFile {
 constexpr std::array kMakers = {&load_command, &restart_command, &prepare_command,
                                 &modify_phi_command};
 
+bool is_maker(std::string_view tool) {
+  return std::ranges::find(kMakers, tool, &Command::name) != kMakers.end();
+}
+
 /// Whether the text is a command as the programs write it, so that running it does no more than
 /// make a file of the name that the script gives it.
 bool is_our_command(const std::string& text) {
@@ -83,9 +87,11 @@ std::size_t step_from(const Lineage& lineage, const StartFile& start) {
 
 [[noreturn]] void fail_at_unknown(const Lineage& lineage, std::size_t step) {
   const ProvenanceEntry& entry = lineage.chain[step];
-  const std::string text = fmt::format(
-      "{}: step {} ({}) has no command, because {}", lineage.name, step, in_one_line(entry.tool),
-      entry.rebuild.empty() ? "rupture 0.1 did not store it" : "another program edited the file");
+  const std::string text = fmt::format("{}: step {} ({}) has no command, because {}", lineage.name,
+                                       step, in_one_line(entry.tool),
+                                       !entry.rebuild.empty() ? "another program edited the file"
+                                       : is_maker(entry.tool) ? "rupture 0.1 did not store it"
+                                                              : "it is no program of rupture");
   if (step + 1 == lineage.chain.size()) {
     throw Failure("{}; rupture analyze show {} prints the command that was typed", text,
                   lineage.name);

@@ -7,22 +7,10 @@
 
 namespace rupture::tools {
 
-std::int64_t steps_in(const Parameters& p, double duration) {
-  const double steps = std::round(duration / p.dt);
-  if (!(std::abs(steps) < 0x1p53)) {
-    throw UsageError("{:g} s is too long for time steps of {:g} s", duration, p.dt);
-  }
-  return static_cast<std::int64_t>(steps);
-}
-
 std::int64_t block_at(const Parameters& p, double x, const std::string& option) {
   const double block = std::round(x / block_spacing(p));
   if (block <= static_cast<double>(p.Nx - 1)) return static_cast<std::int64_t>(block);
   throw UsageError("--{} {:g} is beyond the interface, which ends at {:g} m", option, x, p.L);
-}
-
-std::int64_t step_at(const Parameters& p, const Clock& clock, double t) {
-  return clock.origin_step + steps_in(p, t - clock.origin_time);
 }
 
 Interval interval(const Parameters& p, const Clock& clock, double t, std::string_view option) {

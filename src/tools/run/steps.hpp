@@ -8,14 +8,8 @@
 
 namespace rupture::tools {
 
-/// The number of steps nearest to a duration [s]. Throws UsageError if it is not below 2^53.
-std::int64_t steps_in(const Parameters& parameters, double duration);
-
 /// The block nearest to `x` [m], the value of an option. Throws UsageError beyond the interface.
 std::int64_t block_at(const Parameters& parameters, double x, const std::string& option);
-
-/// The step nearest to time t [s]; throws as steps_in().
-std::int64_t step_at(const Parameters& parameters, const Clock& clock, double t);
 
 /// The steps nearest to the multiples of an interval of time. They are counted from t = 0, so that
 /// split runs do it at the same steps.
