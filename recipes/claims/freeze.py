@@ -34,8 +34,9 @@ COVERED = (
 USED = ((1, 20), (201, 220), (401, 440), (501, 520), (701, 712))  # seeds of earlier rounds
 RUNS, PREPARED = 20, 5  # seeds that are drawn
 DIGITS = 6  # of shifts
-HEAD = """# What the claims are judged on: seeds of runs and of prepared interfaces, and how far the grids
-# of prestress and width are shifted, in steps. They follow from D, the digest of all that decides a
+HEAD = """\
+# What the claims are judged on: seeds of runs and of prepared interfaces, and how far the grids of
+# prestress and width are shifted, in steps. They follow from D, the digest of all that decides a
 # verdict (docs/frozen.md). `python3 -m claims.freeze --write` wrote this file.
 """
 
