@@ -101,6 +101,15 @@ def need_modules(*names):
             skip(f"Python has no module {name}.")
 
 
+def need_simulation():
+    from rupture import Failure, simulation
+
+    try:
+        simulation.module()
+    except Failure as why:
+        skip(f"{why}.")
+
+
 def need(*programs):
     if missing := [program for program in programs if not shutil.which(program)]:
         skip(f"{' and '.join(missing)} cannot be found.")

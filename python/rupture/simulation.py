@@ -1,10 +1,4 @@
-"""The model itself: a slider in memory, moved from Python.
-
->>> sim = rupture.Simulation("small.h5")
->>> sim.step(100)
->>> sim.time, sim["u_x"].shape
-(0.00205, (9, 17))
-"""
+"""The model itself: a slider in memory, moved from Python (docs/python.md)."""
 
 import importlib.machinery
 import importlib.util
@@ -98,11 +92,6 @@ class Simulation:
     def F_T(self):
         """Driving force [N]."""
         return self.model.F_T()
-
-    @property
-    def x_drive(self):
-        """Position of the driving point [m]."""
-        return self.model.x_drive()
 
     @property
     def parameters(self):

@@ -66,18 +66,15 @@ void each_array(State& state, const Use& use) {
   }
 }
 
-std::vector<std::byte> bytes_of(State& state) {
-  std::vector<std::byte> all;
-  const auto add = [&](const std::string&, const auto* first, Eigen::Index rows, Eigen::Index cols,
-                       Eigen::Index stride) {
-    for (Eigen::Index row = 0; row < rows; ++row) {
-      const auto bytes =
-          std::as_bytes(std::span(first + row * stride, static_cast<std::size_t>(cols)));
-      all.insert(all.end(), bytes.begin(), bytes.end());
+/// Copies all of them.
+void copy_arrays(State& state, std::string& copy) {
+  copy.clear();
+  each_array(state, [&](const std::string&, const auto* row, auto rows, auto cols, auto stride) {
+    for (; rows > 0; --rows, row += stride) {
+      const auto bytes = std::as_bytes(std::span(row, static_cast<std::size_t>(cols)));
+      copy.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     }
-  };
-  each_array(state, add);
-  return all;
+  });
 }
 
 py::array read_only(py::array array) {
@@ -134,8 +131,9 @@ class Model {
   }
   /// and with what follows from all that was written into its arrays.
   Simulation& now() {
-    between_steps();
-    if (has_views_ && bytes_of(simulation_->state_to_change()) != seen_) take_changes();
+    State& state = between_steps().state_to_change();
+    if (has_views_) copy_arrays(state, now_);
+    if (has_views_ && now_ != seen_) take_changes();
     return *simulation_;
   }
   py::dict views();
@@ -149,7 +147,7 @@ class Model {
     Stepping& operator=(const Stepping&) = delete;
     ~Stepping() {
       model.is_stepping_ = false;
-      if (model.has_views_) model.seen_ = bytes_of(model.simulation_->state_to_change());
+      if (model.has_views_) copy_arrays(model.simulation_->state_to_change(), model.seen_);
     }
     Model& model;
   };
@@ -180,7 +178,7 @@ class Model {
   std::optional<Alarms> alarms_;
   bool is_stepping_ = false;
   bool has_views_ = false;
-  std::vector<std::byte> seen_;  // the arrays as the last step left them, if there are views
+  std::string seen_, now_;  // the arrays as the last step left them, if there are views, and now
 };
 
 /// What a file could not hold is refused as if it were in one.
@@ -192,7 +190,7 @@ void Model::take_changes() {
   LatestEvent event = simulation_->run().event;
   simulation_->state_was_changed();
   follow(std::move(event));
-  seen_ = bytes_of(simulation_->state_to_change());
+  seen_ = now_;
 }
 
 void Model::step(std::int64_t steps) {
@@ -249,7 +247,7 @@ py::dict Model::views() {
                                   std::vector<Eigen::Index>{stride * size, size}, first, owner());
   };
   each_array(state, add);
-  if (!has_views_) seen_ = bytes_of(state);
+  if (!has_views_) copy_arrays(state, seen_);
   has_views_ = true;
   return all;
 }
@@ -327,7 +325,6 @@ PYBIND11_MODULE(rupture_simulation, module) {
       .def("steps_done", [](Model& model) { return model.between_steps().state().step; })
       .def("time", [](Model& model) { return model.between_steps().time(); })
       .def("F_T", [](Model& model) { return model.now().F_T(); })
-      .def("x_drive", [](Model& model) { return model.between_steps().x_drive(); })
       .def("step_at", [](Model& model, double t) {
         const Simulation& now = model.between_steps();
         return step_at(now.parameters(), now.state().clock, t);

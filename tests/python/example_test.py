@@ -10,8 +10,9 @@ import sys
 import pytest
 
 import rupture
-from conftest import BIN, ROOT
+from conftest import BIN, ROOT, need_simulation
 
+need_simulation()
 NOTEBOOK = ROOT / "docs/examples/first-front.ipynb"
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```\n|((?:^    [^\n]*\n)+)", re.MULTILINE | re.DOTALL)
 LATER = ("rupture load ", "rupture map ", "rupture analyze events run-")  # as the notebook does

@@ -13,16 +13,12 @@ import numpy as np
 import pytest
 
 import rupture
-import rupture.simulation
-from conftest import SMALL, run, skip, wait_for
+from conftest import SMALL, need_simulation, run, wait_for
 
 STEPS = 10_000
 LAWS = ("reference", "simplified", "decaying", "distance")
 
-try:
-    rupture.simulation.module()
-except rupture.Failure as why:
-    skip(f"{why}.")
+need_simulation()
 
 
 @pytest.fixture(scope="session", name="starts")
