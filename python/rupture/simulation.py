@@ -2,6 +2,7 @@
 
 import importlib.machinery
 import importlib.util
+import json
 import operator
 import os
 import sys
@@ -38,6 +39,17 @@ def module():
 def settings(parameters):
     """Pairs of a name and a text."""
     return [word.split("=", 1) for word in settings_of(parameters) if word != "--set"]
+
+
+def value_of(text):
+    """A number or a word; a list of those of each block from COUNTxVALUE,COUNTxVALUE,..."""
+    if "," in text:
+        parts = (part.rpartition("x") for part in text.split(","))
+        return [value_of(value) for count, _, value in parts for _ in range(int(count or 1))]
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
 
 
 def whole(value, name, least, most=LAST_STEP):
@@ -96,7 +108,7 @@ class Simulation:
     @property
     def parameters(self):
         """A dict of all parameters, as that of a file."""
-        return self.model.parameters()
+        return {name: value_of(text) for name, text in self.model.parameters()}
 
     def __getitem__(self, name):
         if name in DERIVED:

@@ -3,8 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-
-#include <cstring>
+#include <unistd.h>
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
@@ -82,24 +81,6 @@ py::array read_only(py::array array) {
   return array;
 }
 
-/// As Python has it: a number, a word, or a list of those of each block.
-template <class T>
-py::object value_of(const ParameterInfo& info, const T& value) {
-  if constexpr (std::is_enum_v<T>) {
-    return py::str(std::string(info.valid.words[static_cast<std::size_t>(value)]));
-  } else {
-    return py::cast(value);
-  }
-}
-
-template <class T>
-py::object value_of(const ParameterInfo& info, const AlongX<T>& values) {
-  if (!values.varies()) return value_of(info, values[0]);
-  py::list list;
-  for (const T& value : values.blocks()) list.append(value_of(info, value));
-  return list;
-}
-
 using Settings = std::vector<std::pair<std::string, std::string>>;  // names and texts of parameters
 
 Parameters with(Parameters parameters, const Settings& settings) {
@@ -126,6 +107,7 @@ class Model {
 
   /// The simulation between two steps,
   Simulation& between_steps() {
+    if (getpid() != process_) throw UsageError("a fork of this process cannot use its simulations");
     if (is_stepping_) throw UsageError("another thread steps this simulation: wait for it");
     return *simulation_;
   }
@@ -138,7 +120,7 @@ class Model {
   }
   py::dict views();
   py::dict derived();
-  py::dict parameters();
+  Settings parameters();
 
  private:
   struct Stepping {
@@ -173,7 +155,8 @@ class Model {
   const std::filesystem::path source_;
   const std::vector<ProvenanceEntry> provenance_;
   const std::string checksum_;
-  const int threads_;
+  const int threads_;  // which a fork lacks
+  const pid_t process_ = getpid();
   std::shared_ptr<Simulation> simulation_;
   std::optional<Alarms> alarms_;
   bool is_stepping_ = false;
@@ -265,12 +248,11 @@ py::dict Model::derived() {
   return all;
 }
 
-py::dict Model::parameters() {
+Settings Model::parameters() {
   const Parameters& p = between_steps().parameters();
-  py::dict all;
+  Settings all;
   for (const ParameterInfo& info : parameter_table()) {
-    const auto value = [&](auto member) { return value_of(info, p.*member); };
-    all[py::str(std::string(info.name))] = std::visit(value, info.member);
+    all.emplace_back(info.name, parameter_text(p, info));
   }
   return all;
 }
@@ -291,7 +273,8 @@ std::unique_ptr<Model> loaded(const Settings& settings, std::optional<int> threa
 /// The errors of the library are those of rupture.errors.
 void translate(std::exception_ptr error) {
   const auto raise = [](const char* name, const std::exception& what) {
-    PyErr_SetString(py::module_::import("rupture.errors").attr(name).ptr(), what.what());
+    const auto sentence = py::reinterpret_steal<py::str>(PyUnicode_DecodeFSDefault(what.what()));
+    PyErr_SetObject(py::module_::import("rupture.errors").attr(name).ptr(), sentence.ptr());
   };
   try {
     std::rethrow_exception(std::move(error));
