@@ -185,7 +185,7 @@ void Model::step(std::int64_t steps) {
     return PyErr_CheckSignals() != 0;
   };
   const Stepping stepping(*this);
-  Ending ending;
+  Ending ending = Ending::last_step;
   {
     const py::gil_scoped_release free;
     ending = run(simulation, rule, {&*alarms_});
