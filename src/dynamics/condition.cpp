@@ -80,11 +80,13 @@ Block block_in(std::string_view index, const SampledQuantity& quantity, const Pa
   if (quantity.index.empty()) throw UsageError("{} belongs to no block: leave {} out", name, index);
   const char* const end = index.data() + index.size();
   Block block = 0;
-  const auto [stop, error] = std::from_chars(index.data() + std::min<Block>(index.size(), 1), end, block);
+  const auto [stop, error] =
+      std::from_chars(index.data() + std::min<Block>(index.size(), 1), end, block);
   const bool is_whole = error == std::errc{} && std::string_view(stop, end) == "]";
   if (is_whole && block < static_cast<Block>(p.Nx)) return block;
-  throw UsageError("{}{} is no block: write {}[0], at the driven side, to {}[{}]", name, index,
-                   name, name, p.Nx - 1);
+  throw UsageError(
+      "{} has a value for each block: write {}[0], at the driven side, to {}[{}] (got '{}{}')",
+      name, name, name, p.Nx - 1, name, index);
 }
 
 /// Says what is true, if it is.

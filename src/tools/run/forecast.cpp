@@ -99,6 +99,13 @@ std::string disk_text(const Forecast& f) {
   return text;
 }
 
+/// The condition that may end the run, if there is one.
+std::string condition_text(const RunPlan& plan) {
+  if (!plan.looks) return "";
+  return fmt::format(", when {}, looked at every {:g} s", plan.rule.early.condition,
+                     plan.looks->time);
+}
+
 /// What a longer time step buys, where one is stable.
 std::string step_text(const Parameters& p) {
   const double limit = stable_time_step(p);
@@ -120,9 +127,9 @@ std::string text_of(const Forecast& f) {
       "time     {} {}: {} of processor time per step, measured now\n"
       "{}\n",
       f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
-      f.at_most() ? "; the run may end earlier" : "", grouped(f.blocks()), grouped(f.junctions()),
-      f.plan.threads, about(f.at_most() || f.plan.in_events), disk_text(f), about(f.at_most()),
-      time_text(f.time()), time_text(f.time_per_step), step_text(f.parameters));
+      f.at_most() ? "; the run may end earlier" + condition_text(f.plan) : "", grouped(f.blocks()),
+      grouped(f.junctions()), f.plan.threads, about(f.at_most() || f.plan.in_events), disk_text(f),
+      about(f.at_most()), time_text(f.time()), time_text(f.time_per_step), step_text(f.parameters));
 }
 
 Json json_of(const Forecast& f) {

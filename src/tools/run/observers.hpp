@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "run/plan.hpp"
+#include "rupture/dynamics/condition.hpp"
 #include "rupture/dynamics/guard.hpp"
 
 namespace rupture::tools {
@@ -46,6 +47,28 @@ class Recorder : public Observer {
   const std::optional<Interval> in_events_;
   std::int64_t next_look_ = no_step;  // whether an event is under way
   std::size_t ruptures_written_ = 0;
+};
+
+/// Looks whether the condition of a run holds.
+class Watch : public Observer {
+ public:
+  explicit Watch(const RunPlan& plan)
+      : condition_(plan.rule.early.condition, plan.begin.parameters),
+        every_(*plan.looks),
+        next_(every_.after(plan.begin.state.step - 1)) {}
+  std::int64_t next_step() const override { return next_; }
+  void observe(const Simulation& simulation) override {
+    held_ = condition_.what_holds(simulation);
+    next_ = every_.after(simulation.state().step);
+  }
+  /// What held when it last looked; empty if nothing did.
+  const std::string& held() const { return held_; }
+
+ private:
+  Condition condition_;
+  Interval every_;
+  std::int64_t next_;
+  std::string held_ = {};
 };
 
 /// Looks at the first and last step of a run and every 5000 steps. Warnings and, with
