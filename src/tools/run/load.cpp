@@ -41,8 +41,8 @@ constinit const Command load_command = {
     "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
     {[](po::options_description& options) {
        options.add_options()("until", in_rebuild(seconds_or_condition()->default_value("0")),
-                             "stop at this time or condition, such as \"F_T > 300 or t > 0.5s\"; "
-                             "0: only find the equilibrium");
+                             "stop at this time, or when this condition holds, such as \"F_T > 300 "
+                             "or t > 0.5s\"; 0: only find the equilibrium");
      },
      add_early_end_options, add_profile_option, add_run_options},
     load,

@@ -121,7 +121,7 @@ void add_early_end_options(po::options_description& options) {
   add("until-rupture-at", number("X", "m"),
       "stop at the step at which the block nearest to X ruptures");
   add("until-every", seconds(),
-      "how often a condition of --until is looked at; default: as --record-every");
+      "how often to look whether the condition of --until holds; default: as --record-every");
   add("quiet-time", in_rebuild(seconds()),
       "time without ruptures that separates events; default 5 t_R");
   add("arrived-below", number("F"),

@@ -14,7 +14,7 @@ struct RunEnd {
 void add_restart_options(po::options_description& options) {
   auto add = options.add_options();
   add("until", in_rebuild(seconds_or_condition()),
-      "run until this time, or as long as a condition such as \"F_T > 300 or t < 0.5s\" is false");
+      "run until this time, or until this condition holds, such as \"F_T < 300 or t > 0.5s\"");
   add("for", seconds(), "run for this long");
 }
 
