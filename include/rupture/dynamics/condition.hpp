@@ -19,7 +19,7 @@ bool is_condition(std::string_view text);
 class Condition {
  public:
   /// Throws UsageError, saying what is wrong, unless the slider has all that is compared.
-  Condition(std::string_view text, const Parameters& parameters);
+  Condition(const std::string& text, const Parameters& parameters);
 
   /// What is true now, as in "F_T = 299.97 N < 300 N"; empty if the condition is not.
   std::string what_holds(const Simulation& simulation) const;

@@ -53,22 +53,19 @@ class Recorder : public Observer {
 class Watch : public Observer {
  public:
   explicit Watch(const RunPlan& plan)
-      : condition_(plan.rule.early.condition, plan.begin.parameters),
-        every_(*plan.looks),
-        next_(every_.after(plan.begin.state.step - 1)) {}
+      : plan_(plan), next_(plan.looks->after(plan.begin.state.step - 1)) {}
   std::int64_t next_step() const override { return next_; }
   void observe(const Simulation& simulation) override {
-    held_ = condition_.what_holds(simulation);
-    next_ = every_.after(simulation.state().step);
+    held = condition_.what_holds(simulation);
+    next_ = plan_.looks->after(simulation.state().step);
   }
-  /// What held when it last looked; empty if nothing did.
-  const std::string& held() const { return held_; }
+
+  std::string held = {};  ///< when it last looked; empty if nothing did
 
  private:
-  Condition condition_;
-  Interval every_;
+  const RunPlan& plan_;
+  const Condition condition_{plan_.rule.early.condition, plan_.start.parameters};
   std::int64_t next_;
-  std::string held_ = {};
 };
 
 /// Looks at the first and last step of a run and every 5000 steps. Warnings and, with

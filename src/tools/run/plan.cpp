@@ -137,9 +137,9 @@ std::optional<double> until_time(const po::variables_map& values) {
 }
 
 bool may_end_early(const po::variables_map& values) {
-  return has_condition(values) || values.count("until-quiet") + values.count("until-spanned") +
-                                          values.count("until-rupture-at") >
-                                      0;
+  return values.count("until-quiet") + values.count("until-spanned") +
+             values.count("until-rupture-at") + (has_condition(values) ? 1 : 0) >
+         0;
 }
 
 EarlyEnd early_end(const po::variables_map& values, const Parameters& p) {

@@ -172,7 +172,7 @@ Ending Run::observed() {
   if (!output_.is_quiet) observers.push_back(&progress);
   StopRule rule = plan_.rule;
   rule.interrupted = [] { return interruption() != 0; };
-  if (watch_) rule.condition_holds = [this] { return !watch_->held().empty(); };
+  if (watch_) rule.condition_holds = [this] { return !watch_->held.empty(); };
   const Ending ending = run(simulation_, rule, observers);
   alarms_.observe(simulation_);
   return ending;
@@ -185,7 +185,7 @@ Ending Run::go() {
     const Ending ending = observed();
     const auto& [in_json, in_text] = kEndings.at(static_cast<std::size_t>(ending));
     summary_.ending = in_json;
-    if (ending == Ending::condition) summary_.held = watch_->held();
+    if (ending == Ending::condition) summary_.held = watch_->held;
     summary_.time = simulation_.time();
     summary_.steps = simulation_.state().step - begin_.state.step;
     summary_.simulated_time = summary_.time - time(begin_.parameters, begin_.state);
