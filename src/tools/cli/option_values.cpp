@@ -110,7 +110,7 @@ po::typed_value<std::vector<double>>* list_of_seconds() {
 }
 
 po::typed_value<std::string>* seconds_or_condition() {
-  return described<std::string>({"number", "T|CONDITION", "s", "", false, is_condition});
+  return described<std::string>({"number", "T/CONDITION", "s", "", false, is_condition});
 }
 
 po::typed_value<double>* number(const std::string& name, const std::string& unit) {
