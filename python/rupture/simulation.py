@@ -127,29 +127,33 @@ class Simulation:
         ends it between two steps, with a KeyboardInterrupt."""
         self.model.step(whole(steps, "steps", 0))
 
-    def run(self, until=None, *, stop=None, call=None, every=1000):
-        """Runs until a time [s], or until `stop(sim)` is true. After every `every` steps and at the
-        end, `call(sim)` is called, then `stop` is asked. What they raise comes out as it is."""
-        if until is None and stop is None:
-            raise UsageError("run needs an end: give until, a time in s, or stop, a function")
+    def run(self, until, *, call=None, every=1000):
+        """Runs until a time [s], until a condition as that of `--until` holds, such as "F_T < 300",
+        or until a function of this simulation is true. After every `every` steps and at the end,
+        `call(sim)` is called, then `until` is looked at. What functions raise comes out as it is.
+        """
         every, last = whole(every, "every", 1), LAST_STEP
-        if until is not None:
+        if not isinstance(until, str) and not callable(until):
             last = self.step_at(until)
-        if stop and stop(self):
-            raise UsageError(f"stop is true already, at {self.time:.9g} s: nothing would run")
+        elif self.is_over(until):
+            raise UsageError(f"until is true already, at {self.time:.9g} s: nothing would run")
         while (now := self.steps_done) < last:
             self.step(min(every, last - now))
             if call:
                 call(self)
-            if stop and stop(self):
+            if last == LAST_STEP and self.is_over(until):
                 break
+
+    def is_over(self, until):
+        return self.model.what_holds(until) if isinstance(until, str) else until(self)
 
     def step_at(self, time):
         """The step nearest to a time [s], which must not be over."""
         try:
             step = self.model.step_at(float(time))
         except (TypeError, ValueError):
-            raise UsageError(f"until must be a time in s (got {time!r})") from None
+            wanted = "a time in s, a condition or a function"
+            raise UsageError(f"until must be {wanted} (got {time!r})") from None
         if step < self.steps_done:
             raise UsageError(f"until {time:g} is before the simulation's time {self.time:.7g} s")
         return step

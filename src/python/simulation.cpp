@@ -7,6 +7,7 @@
 
 #include "rupture/checkpoint/checkpoint.hpp"
 #include "rupture/checkpoint/checksum.hpp"
+#include "rupture/dynamics/condition.hpp"
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/guard.hpp"
 #include "rupture/dynamics/run.hpp"
@@ -308,6 +309,11 @@ PYBIND11_MODULE(rupture_simulation, module) {
       .def("steps_done", [](Model& model) { return model.between_steps().state().step; })
       .def("time", [](Model& model) { return model.between_steps().time(); })
       .def("F_T", [](Model& model) { return model.now().F_T(); })
+      .def("what_holds",
+           [](Model& model, const std::string& condition) {
+             const Simulation& now = model.now();
+             return Condition(condition, now.parameters()).what_holds(now);
+           })
       .def("step_at", [](Model& model, double t) {
         const Simulation& now = model.between_steps();
         return step_at(now.parameters(), now.state().clock, t);

@@ -116,7 +116,7 @@ def test_exceptions_of_a_callback_come_out_and_the_run_goes_on(sim, starts):
     first = sim.steps_done
     with pytest.raises(ZeroDivisionError, match="^mine$"):
         sim.run(until=1, call=call, every=10)
-    sim.run(stop=lambda now: now.steps_done >= first + 60, every=20)
+    sim.run(lambda now: now.steps_done >= first + 60, every=20)
     assert sim.steps_done == first + 70
     whole = rupture.Simulation(starts / "reference.h5")
     whole.step(70)
@@ -168,8 +168,9 @@ def test_what_cannot_be_is_one_sentence_and_nothing_is_lost(sim, starts):
             sim.model.set,
             [("slider.Nx", "9")],
         ),
-        ("^run needs an end: give until, a time in s, or stop, a function$", sim.run),
-        ("^until must be a time in s .got '1 ms'.$", sim.run, "1 ms"),
+        ("^until must be a time in s, a condition or a function .got None.$", sim.run, None),
+        ("^'1 ms' compares nothing by < <= > or >=: write", sim.run, "1 ms"),
+        ("^until is true already, at 0.0002 s", sim.run, "F_T > 0 or t > 1s"),
         ("^until 1e-06 is before the simulation's time 0.0002 s$", sim.run, 1e-6),
         ("^steps must be a whole number from 0 to .* .got -1.$", sim.step, -1),
         ("^steps must be a whole number from 0 to .* .got 0.5.$", sim.step, 0.5),
@@ -181,7 +182,6 @@ def test_what_cannot_be_is_one_sentence_and_nothing_is_lost(sim, starts):
     ):
         assert "\n" not in fails(sentence, call, *arguments)
     fails("^unknown parameter 'driving.W': did you", sim.set, **{"driving.W": 9})
-    fails("^stop is true already, at 0.0002 s", sim.run, stop=lambda now: True)
     fails("reference.h5 is what this simulation began with", sim.save, start, force=True)
     assert Path("mine.h5").read_text() == "mine"
     assert sim.time == t and sim.save("mine.h5", force=True) == rupture.open(start).checksum
