@@ -9,7 +9,7 @@ import sys
 from functools import cache
 
 from rupture.errors import Failure, NoSuchName, UsageError
-from rupture.programs import folders, settings_of, words
+from rupture.programs import folders, settings_of
 
 MODULE = "rupture_simulation"
 LAST_STEP = 2**53
@@ -63,6 +63,15 @@ def whole(value, name, least, most=LAST_STEP):
     raise UsageError(f"{name} must be a whole number from {least} to {most} (got {value!r})")
 
 
+def thread_count(threads):
+    return None if threads is None else whole(threads, "threads", 1, 1024)
+
+
+def name_of(file):
+    """Of a path, or of an opened file."""
+    return os.fsencode(getattr(file, "path", file))
+
+
 class Simulation:
     """A slider that goes on from a checkpoint: a path, or an opened one. Results do not depend on
     the number of threads. `sim[name]` is an array:
@@ -74,17 +83,13 @@ class Simulation:
     """
 
     def __init__(self, checkpoint, *, threads=None):
-        [path] = words(checkpoint) if not isinstance(checkpoint, bytes) else [checkpoint]
-        self.model = module().opened(
-            os.fsencode(path), threads and whole(threads, "threads", 1, 1024)
-        )
+        self.model = module().opened(name_of(checkpoint), thread_count(threads))
 
     @classmethod
     def from_parameters(cls, parameters=(), *, threads=None):
         """The slider under its normal load, as `load` makes it; by default that of the paper."""
         self = cls.__new__(cls)
-        threads = threads and whole(threads, "threads", 1, 1024)
-        self.model = module().loaded(settings(parameters), threads)
+        self.model = module().loaded(settings(parameters), thread_count(threads))
         return self
 
     def __repr__(self):
@@ -120,7 +125,7 @@ class Simulation:
     @property
     def pinned_fraction(self):
         """Fraction of each interface block's junctions that are pinned, [Nx]."""
-        return self["pinned"] / self["junctions/attachment"].shape[1]
+        return self["pinned"] / self.model.springs()
 
     def step(self, steps=1):
         """Moves the slider by so many time steps. Other threads of Python run meanwhile. Ctrl-C
@@ -158,12 +163,11 @@ class Simulation:
             raise UsageError(f"until {time:g} is before the simulation's time {self.time:.7g} s")
         return step
 
-    def set(self, **parameters):
-        """Changes parameters from now on, as `restart --set` does: `sim.set(**{"driving.V": 0})`.
+    def set(self, parameters=(), **more):
+        """Changes parameters from now on, as `restart --set` does: `sim.set({"driving.V": 0})`.
         Arrays that were taken before are those of the slider as it was: take them again."""
-        self.model.set(settings(parameters))
+        self.model.set(settings(parameters) + settings(more))
 
     def save(self, path, *, force=False):
         """Writes a checkpoint and returns its content checksum. `force` replaces a file."""
-        [path] = words(path)
-        return self.model.save(os.fsencode(path), bool(force), sys.orig_argv)
+        return self.model.save(name_of(path), bool(force), sys.orig_argv)

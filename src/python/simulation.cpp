@@ -11,6 +11,7 @@
 #include "rupture/dynamics/equilibrium.hpp"
 #include "rupture/dynamics/guard.hpp"
 #include "rupture/dynamics/run.hpp"
+#include "rupture/model/derived.hpp"
 #include "rupture/model/laws.hpp"
 
 namespace py = pybind11;
@@ -43,16 +44,15 @@ class Alarms : public Observer {
 /// to the next of each array of the state.
 template <class Use>
 void each_array(State& state, const Use& use) {
-  constexpr std::array<std::pair<const char*, Field State::*>, 6> fields = {{{"u_x", &State::u_x},
-                                                                             {"u_z", &State::u_z},
-                                                                             {"v_x", &State::v_x},
-                                                                             {"v_z", &State::v_z},
-                                                                             {"f_x", &State::f_x},
-                                                                             {"f_z", &State::f_z}}};
-  for (const auto& [name, member] : fields) {
-    Field& field = state.*member;
+  const auto use_field = [&](const char* name, Field& field) {
     use(name, field.row(0), field.Nz(), field.Nx(), field.stride());
-  }
+  };
+  use_field("u_x", state.u_x);
+  use_field("u_z", state.u_z);
+  use_field("v_x", state.v_x);
+  use_field("v_z", state.v_z);
+  use_field("f_x", state.f_x);
+  use_field("f_z", state.f_z);
   const auto use_junctions = [&](std::string_view name, auto& array) {
     if (array.size() == 0) return;
     use(fmt::format("junctions/{}", name), array.data(), array.rows(), array.cols(), array.cols());
@@ -308,6 +308,8 @@ PYBIND11_MODULE(rupture_simulation, module) {
       .def("parameters", &Model::parameters)
       .def("steps_done", [](Model& model) { return model.between_steps().state().step; })
       .def("time", [](Model& model) { return model.between_steps().time(); })
+      .def("springs",
+           [](Model& model) { return springs_per_block(model.between_steps().parameters()); })
       .def("F_T", [](Model& model) { return model.now().F_T(); })
       .def("what_holds",
            [](Model& model, const std::string& condition) {
