@@ -90,19 +90,27 @@ Json parameters_json(const ContentFile& a, const ContentFile& b) {
   return list;
 }
 
+/// The first row in which two arrays of equal rows differ, of those that both have.
+std::optional<std::uint64_t> first_row(const Dataset& a, const Dataset& b) {
+  if (a.type != b.type || a.shape.empty() || b.shape.empty()) return std::nullopt;
+  const auto row_of = [](const Shape& shape) { return std::span(shape).subspan(1); };
+  const std::uint64_t rows = std::min(a.shape[0], b.shape[0]);
+  if (rows == 0 || !std::ranges::equal(row_of(a.shape), row_of(b.shape))) return std::nullopt;
+  const std::size_t bytes_per_row = a.bytes.size() / a.shape[0];
+  const auto end = a.bytes.begin() + static_cast<std::ptrdiff_t>(rows * bytes_per_row);
+  const auto at = std::mismatch(a.bytes.begin(), end, b.bytes.begin()).first;
+  if (at == end) return std::nullopt;
+  return static_cast<std::size_t>(at - a.bytes.begin()) / bytes_per_row;
+}
+
 /// The first sample of two records, of those that both have, in which a series differs; null if
 /// none does.
-Json first_sample_json(Pair pair) {
-  const auto is_other = [](const auto& entry) { return !entry.first.starts_with("/series/"); };
-  std::erase_if(pair.a, is_other);
-  std::erase_if(pair.b, is_other);
-  keep_common_rows(pair.a, pair.b);
+Json first_sample_json(const Pair& pair) {
   std::optional<std::uint64_t> sample;
-  for (const Difference& difference : diff(pair.a, pair.b)) {
-    if (difference.change != Change::values) continue;
-    const Shape& shape = pair.a.at(difference.path).shape;
-    const std::uint64_t row = difference.first / (element_count(shape) / shape[0]);
-    sample = std::min(sample.value_or(row), row);
+  for (const auto& [path, a] : pair.a) {
+    const auto b = pair.b.find(path);
+    if (!path.starts_with("/series/") || b == pair.b.end()) continue;
+    if (const auto row = first_row(a, b->second)) sample = std::min(sample.value_or(*row), *row);
   }
   if (!sample) return nullptr;
   return {{"sample", *sample}, {"time", element<double>(pair.a.at("/series/time"), *sample)}};
