@@ -40,6 +40,7 @@ def rows_of_a_sweep(folder, monkeypatch):
         text = text.replace("CALLS", str(folder / "calls")).replace("NAME", name)
         (folder / "bin" / name).write_text(text)
         (folder / "bin" / name).chmod(0o755)
+    (folder / "bin/parameters").symlink_to(Path(BIN, "parameters"))
     monkeypatch.setenv("RUPTURE_BIN", str(folder / "bin"))
 
     def rows(commands, tail=TAIL, head=HEAD):

@@ -80,7 +80,7 @@ int run(int argc, char** argv) {
   return command.run(parse(command, argc - 1, argv + 1));
 }
 
-// --- analyze quantities: parameters, and what the commands and the other programs report
+// --- analyze quantities: what the commands and the other programs report
 
 constexpr std::array kWriters = {&load_command,       &restart_command, &prepare_command,
                                  &modify_phi_command, &finish_command,  &seal_command};
@@ -133,19 +133,17 @@ void print_lines(const Json& quantities) {
 constinit const Command quantities_command = {
     "analyze quantities",
     "",
-    "names and units of all parameters and of all measured quantities",
-    "Lists all parameters, and everything that the commands of analyze and the programs that\n"
-    "write files report with --json.",
+    "names and units of all measured quantities",
+    "Lists everything that the commands of analyze and the programs that write files report\n"
+    "with --json.",
     {add_json_option},
     [](const Parsed& parsed) {
       if (parsed.values.count("json") > 0) {
-        say("{}\n", json_text({{"parameters", json_of(parameter_table())},
-                               {"quantities", quantities_of(kCommands)},
+        say("{}\n", json_text({{"quantities", quantities_of(kCommands)},
                                {"summaries", quantities_of(kWriters)}}));
         return int{kDone};
       }
-      say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
-      say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
+      say("Quantities: name (command, then field of its --json; * is an index), unit, "
           "meaning\n");
       print_lines(quantities_of(kCommands));
       say("\nSummaries: name (program that writes files, then field of its --json), unit, "
