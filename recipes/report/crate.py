@@ -21,7 +21,6 @@ from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.machine import RUNS
 from report.written import intact, is_intact, leave_out, seal, take, written
 from rupture.commands.folder import read_own, sha256_of
 from rupture.commands.store import place_of
@@ -38,10 +37,9 @@ FORMATS.types_map[True][".jsonl"] = "application/jsonl"
 # What files are that hold times, and so have no checksum here.
 WITH_TIMES = {
     "index.html": "All figures and claims on one page",
-    RUNS: "Each call of ./reproduce.sh: recipes, cores, start and time",
     JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
-OF_THE_RUN = ("index.html", RUNS, "numbers.csv", "claims.pdf", "claims.png")
+OF_THE_RUN = ("index.html", "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):

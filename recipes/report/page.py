@@ -2,6 +2,8 @@
 [PROJECT'S FOLDER]"""
 
 import os
+import platform
+import re
 import struct
 import sys
 import time
@@ -21,17 +23,15 @@ from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
 from report import jobs as of_jobs
-from report import machine
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from report.written import intact, leave_out, seal, take, written
 from report.symbols import typeset
+from rupture.tools.command_line import plural
 
 HERE = Path(__file__).resolve().parent
 GLANCE = ("claims.png", "claims.pdf")
 WRITTEN = ("index.html", "numbers.csv", *GLANCE)
-MANY = 12  # commands of a step, beyond which only their number is of interest
-MANY_SUMS = 100  # checksums
 COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 
@@ -78,7 +78,6 @@ class Recipe:
         self.tables = [path.name for path in first_own(paths) if path.suffix == ".csv"]
         self.accounts = [name for name in (COMMANDS, of_jobs.JOBS) if name in self.files]
         self.jobs = of_jobs.read_jobs(folder)
-        self.sums = of_jobs.files_of(self.jobs)
 
 
 def check_listed(path, claims, rows):
@@ -118,6 +117,11 @@ def glance_picture(results, claims):
         return None
     draw_glance(found, results / "claims")
     return picture(results / GLANCE[0], SEEN)
+
+
+def processor():
+    names = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
+    return f"{names[0] if names else platform.machine()}, {plural(os.cpu_count(), 'core')}"
 
 
 def in_words(claims):
@@ -169,10 +173,8 @@ def contents(root, paper):
         "verdicts": as_html(verdicts, shown),
         "jobs": jobs,
         "last": max((job.get("started", 0) for job in jobs), default=0),
-        "run": machine.last_run(root, jobs),
         "builds": builds,
-        "build": machine.present_build(),
-        "processor": machine.processor(),
+        "processor": processor(),
     }
 
 
@@ -189,10 +191,8 @@ def render(content):
         duration=duration,
         number=number,
         seconds_of=of_jobs.seconds_of,
-        steps=of_jobs.steps,
         typeset=typeset,
     )
-    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 

@@ -219,7 +219,7 @@ def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
         assert tiny.computed() == ["tiny"] and path.read_bytes() == before
 
 
-LINKED = ("tiny", "runs.jsonl", "store/ab")
+LINKED = ("tiny", "ro-crate-metadata.json", "store/ab")
 
 
 def test_a_link_in_the_place_of_what_it_writes_is_refused(tiny):
