@@ -14,8 +14,7 @@ from sweeps.points import most_said
 from sweeps.words import without_time
 
 RUNS = ("load", "restart")  # they have --dry-run; other programs take no time
-WHOLE = 8  # points, of which all runs are estimated
-LONGEST = 30.0  # [s] for the first commands of others
+LONGEST = 30.0  # [s]
 
 
 def spread(points):
@@ -40,34 +39,25 @@ class Estimate:
         self.needs, self.unknown = [], set()
 
     def ask(self, points):
-        points = spread(points)
         with ThreadPoolExecutor(self.executor.cores) as pool:
-            list(pool.map(self.ask_all, points[:WHOLE]))
-            list(pool.map(self.ask_first, points[WHOLE:]))
+            list(pool.map(self.ask_about, spread(points)))
 
-    def ask_all(self, point):
-        need: Counter[str] = Counter()
-        if self.ask_commands(self.runs, point, need):
-            self.needs.append(need)
-
-    def ask_first(self, point):
-        if time.monotonic() - self.begun < LONGEST:
-            self.ask_commands(self.runs[:1], point, Counter())
-
-    def ask_commands(self, commands, point, need):
-        """Whether all of them can run, as far as one knows."""
+    def ask_about(self, point):
+        if time.monotonic() - self.begun > LONGEST:
+            return
         self.asked += 1
+        need: Counter[str] = Counter()
         before: set[str] = set()
         with TemporaryDirectory() as folder:
-            for command in commands:
+            for command in self.runs:
                 words = self.sweep.words(command, point)
                 files = (word for word in words if without_time(word) in before)
                 if command.is_later or not all(Path(folder, file).exists() for file in files):
                     self.unknown.add(command.name)
                 elif not self.ask_program(command.program, words, before, folder, need):
-                    return False
+                    return
                 before.update(command.outputs_of(words))
-        return True
+        self.needs.append(need)
 
     def ask_program(self, program, words, before, folder, need):
         """`need` grows by what it says. One without --dry-run runs."""
