@@ -51,20 +51,9 @@ def run_ctest(processes, preset, log, cores):
     return processes.run([*command.split(), log.absolute()])
 
 
-def slowest_tests(log):
-    """The ten tests in ctest's log that took longest [s], longest first."""
-    took = re.findall(r"Test +#\d+: (\S+) \.*.*? ([\d.]+) sec$", log, re.MULTILINE)
-    return sorted(((float(seconds), name) for name, seconds in took), reverse=True)[:10]
-
-
 def run_tests(request, processes):
     set_up(processes, "build", request.cores, "all", "run", "test")
-    code = run_ctest(processes, "release", log := LOGS / "test.log", request.cores)
-    if log.exists():
-        say("\nThe slowest tests:")
-        for seconds, name in slowest_tests(log.read_text()):
-            say(f"  {seconds:6.1f} s  {name}")
-    return code
+    return run_ctest(processes, "release", LOGS / "test.log", request.cores)
 
 
 def test_slurm(request, processes):
