@@ -65,7 +65,7 @@ class File(Mapping):
     """
 
     home: str  # the group whose datasets need no group in their name
-    dimensions: dict  # names of the dimensions, by group
+    axes: tuple  # the dimensions of most arrays of this group
 
     def __init__(self, path, file, content):
         self.path = Path(os.fsdecode(path))
@@ -214,18 +214,9 @@ class File(Mapping):
         simplified = self.parameters["junctions.law"] == "simplified"
         return 1 if simplified else self.parameters["junctions.N_s"]
 
-    def to_xarray(self):
-        """An xarray.Dataset with named dimensions and positions. Units and long names are
-        attributes of the arrays, parameters, checksum and provenance (as JSON) those of the whole.
-
-        >>> record.to_xarray()["tau"].dims
-        ('time', 'x')
-        """
-        return tables.to_xarray(self)
-
     def to_dataframe(self):
         """A pandas.DataFrame: a row for each sample and block of a record, or for each block of a
-        checkpoint. Arrays of other dimensions are in `to_xarray()`.
+        checkpoint. Arrays of other dimensions are left out.
 
         >>> record.to_dataframe().index.names
         FrozenList(['time', 'x'])
@@ -246,7 +237,7 @@ class Checkpoint(File):
     """
 
     home = "state"
-    dimensions = {"state": ("z", "x"), "state/junctions": ("x", "junction")}
+    axes = ("z", "x")
 
     @property
     def time(self):
@@ -272,12 +263,7 @@ class Record(File):
     """
 
     home = "series"
-    dimensions = {
-        "series": ("time", "x"),
-        "ruptures": ("rupture",),
-        "crossings": ("crossing",),
-        "fields": ("field_time", "z", "x"),
-    }
+    axes = ("time", "x")
 
     @property
     def time(self):
