@@ -62,10 +62,6 @@ def builds_of(jobs):
     return Counter(job["build"] for job in jobs if "build" in job).most_common()
 
 
-def seconds_of(jobs):
-    return sum(job.get("seconds", 0) for job in jobs)
-
-
 def files_of(jobs):
     """(ID of its command, name, checksum of its content) of checkpoints and records."""
     return [(job["id"], *file) for job in jobs for file in job.get("checksums", {}).items()]

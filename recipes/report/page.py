@@ -2,11 +2,8 @@
 [PROJECT'S FOLDER]"""
 
 import os
-import platform
-import re
 import struct
 import sys
-import time
 from collections import Counter
 from pathlib import Path
 
@@ -26,7 +23,6 @@ from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from report.written import intact, leave_out, seal, take, written
 from report.symbols import typeset
-from rupture.tools.command_line import plural
 
 HERE = Path(__file__).resolve().parent
 WRITTEN = ("index.html", "numbers.csv")
@@ -101,18 +97,6 @@ def shown_of(root, names):
     return found
 
 
-def duration(seconds):
-    if seconds < 10:
-        return f"{seconds:.1f} s"
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes} min {rest} s" if minutes > 1 else f"{60 * minutes + rest} s"
-
-
-def processor():
-    names = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
-    return f"{names[0] if names else platform.machine()}, {plural(os.cpu_count(), 'core')}"
-
-
 def in_words(claims):
     """What came out: verdicts, and how many findings without one hold as they are shown."""
     findings = [claim for claim in claims if claim.kind == "finding"]
@@ -157,10 +141,7 @@ def contents(root, paper):
         "movie": any(MOVIE == f"{one.name}/{file}" for one in recipes for file in one.files)
         and MOVIE,
         "verdicts": as_html(verdicts, shown),
-        "jobs": jobs,
-        "last": max((job.get("started", 0) for job in jobs), default=0),
         "builds": builds,
-        "processor": processor(),
     }
 
 
@@ -173,10 +154,7 @@ def render(content):
         lstrip_blocks=True,
     )
     environment.filters.update(
-        date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
-        duration=duration,
         number=number,
-        seconds_of=of_jobs.seconds_of,
         typeset=typeset,
     )
     return environment.get_template("page.html.j2").render(content)

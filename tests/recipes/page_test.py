@@ -20,7 +20,7 @@ from rupture.errors import Failure
 from claims.recipes import function_of, paper_of, recipe_names
 from claims.table import table
 from conftest import ROOT
-from fixture import JUDGED, NOT_RUN, POINTS, Project, result, results_of, spill
+from fixture import JUDGED, NOT_RUN, Project, result, results_of, spill
 
 FIGURES = [*(f"fig{n}" for n in range(1, 5)), *(f"figS{n}" for n in range(1, 7))]
 RECIPES = [*FIGURES, *sorted({table()[claim]["recipe"] for claim in JUDGED} - {*FIGURES})]
@@ -41,8 +41,6 @@ SAYS = [
     ("numbers", '<td data-label="median">8.4 (8 to 9) of 9 fronts</td>'),
     ("fig2", "primary: 7 of 20 (0.20 to 0.53)"),
     ("fig3", 'href="fig3/jobs.jsonl"'),
-    ("build", f"All {POINTS + 4} commands behind these results took 10 min 52 s added up"),
-    ("build", "the last of them on 2023-11-14 22:14 UTC"),
     ("build", "rupture 0.9.0, commit abc: 1 command<"),
     ("fig2", 'our own, without verdict: how near?</summary> <table class="numbers">'),
     ("fig2", '<th scope="row">off by [mm]</th><td><span>1.5</span></td></tr>'),
@@ -301,11 +299,6 @@ def test_a_recipe_that_cannot_be_shown_is_left_out_with_a_sentence(
         text = project.page.read_text(encoding="utf-8")
         assert 'id="fig3"' not in text and 'id="fig2"' in text
         project.seal()
-
-
-def test_durations_are_rounded_before_minutes_are_counted():
-    texts = ["9.9 s", "119 s", "2 min 0 s", "3 min 0 s"]
-    assert [*map(report.duration, (9.9, 119.4, 119.6, 179.7))] == texts
 
 
 def test_a_place_in_a_caption_that_names_nothing_is_an_error():
