@@ -81,7 +81,6 @@ ensure_packages() {
 ensure_python() {
   local words=" $* "
   words=${words/ test-slurm / slurm }
-  words=${words/ tidy / check }
   ensure_packages build run "$words"  # other words are no purposes
 }
 

@@ -101,7 +101,7 @@ def test_other_programs_that_install_are_waited_for(project):
 
 @AS_ROOT
 @pytest.mark.parametrize(
-    "command, purpose", [("fig3", "run"), ("tidy", "check"), ("test-slurm", "slurm")]
+    "command, purpose", [("fig3", "run"), ("check", "check"), ("test-slurm", "slurm")]
 )
 def test_who_is_not_root_hears_of_all_packages_at_once(project, command, purpose):
     project.program("apt-get", MISSING)
