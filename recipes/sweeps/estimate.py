@@ -5,6 +5,7 @@ import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from random import Random
 from tempfile import TemporaryDirectory
 
 from rupture.commands.code import path_of
@@ -15,16 +16,6 @@ from sweeps.words import without_time
 
 RUNS = ("load", "restart")  # they have --dry-run; other programs take no time
 LONGEST = 30.0  # [s]
-
-
-def spread(points):
-    """All of them; any number of the first ones are far apart."""
-    step = 1 << len(points).bit_length()
-    order: list[int] = []
-    while step:
-        order += range(0, len(points), step)
-        step //= 2
-    return [points[number] for number in dict.fromkeys(order)]
 
 
 class Estimate:
@@ -39,8 +30,9 @@ class Estimate:
         self.needs, self.unknown = [], set()
 
     def ask(self, points):
+        """In an order in which the first ones, if there is no time for others, are of all kinds."""
         with ThreadPoolExecutor(self.executor.cores) as pool:
-            list(pool.map(self.ask_about, spread(points)))
+            list(pool.map(self.ask_about, Random(1).sample(points, len(points))))
 
     def ask_about(self, point):
         if time.monotonic() - self.begun > LONGEST:

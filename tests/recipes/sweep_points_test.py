@@ -8,7 +8,7 @@ import pytest
 
 from conftest import BIN, ROOT
 from rupture import once
-from sweeps.estimate import Estimate, spread
+from sweeps.estimate import Estimate
 from sweeps.points import Points
 from sweeps.sweep import Sweep
 
@@ -144,9 +144,3 @@ def test_a_dry_run_adds_up_what_programs_say_and_shows_what_they_refuse(folder):
     assert unknown == "Not counted, because they start from what runs find: later."
     assert (refused, sentence.split(" x ")[0]) == ("Refused:", "  1")
     assert {path.name for path in folder.iterdir()} == {"in.h5", "x.ini"}
-
-
-def test_the_first_points_that_are_asked_are_far_apart():
-    assert spread(range(5)) == [0, 4, 2, 1, 3]
-    assert sorted(spread(range(100))) == [*range(100)]
-    assert spread([]) == []
