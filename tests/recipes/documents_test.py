@@ -10,7 +10,7 @@ from pathlib import Path
 from conftest import BIN, ROOT, need, need_modules, need_simulation
 
 need("ffmpeg")
-need_modules("pandas", "xarray")
+need_modules("pandas")
 need_simulation()
 PAGES = ("README", "docs/tutorial", "docs/runs", "docs/pictures", "docs/sweeps", "docs/python")
 SKIP = ("export ", "paraview ")
