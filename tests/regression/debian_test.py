@@ -33,3 +33,7 @@ def test_what_it_unpacks_works(package, folder):
     succeeds("dpkg-deb", "--extract", package, folder)
     assert [path.name for path in (folder / "usr/bin").iterdir()] == ["rupture"]
     assert "  fig3 " in succeeds(folder / "usr/bin/rupture", "reproduce", "list").stdout
+    if any(BUILD.glob("bin/rupture_simulation.*")):
+        code = "import rupture; print(rupture.Simulation.from_parameters().time)"
+        environment = {"PYTHONPATH": str(folder / "usr/lib/python3/dist-packages")}
+        assert succeeds("/usr/bin/python3", "-c", code, env=environment).stdout == "0.0\n"
