@@ -217,9 +217,11 @@ constinit const Command lineage_command = {
         }
         say("{}", rebuild_script(lineage, output.string(), start));
       } else if (values.count("json") > 0) {
-        say("{}\n", json_text(lineage_json(lineage)));
+        Json json = lineage_json(lineage);
+        if (file.content.contains(kAlarmPath)) json["alarm"] = read_text(file.content, kAlarmPath);
+        say("{}\n", json_text(json));
       } else {
-        say("{}", lineage_text(lineage));
+        say("{}{}", lineage_text(lineage), alarm_text(file.content));
       }
       return int{kDone};
     }};
