@@ -235,8 +235,7 @@ def figure_of(shown, since_event):
         (one.record, plotting.rows_in(one.record, t_zero, window), t_zero)
         for one, t_zero, window in zip(shown, t_zeros, windows)
     ]
-    pyplot = plotting.pyplot_without_window()
-    figure = pyplot.figure(figsize=(10, 4.2 + 2.8 * (len(shown) - 1)))
+    figure = plotting.pyplot_without_window().figure(figsize=(10, 4.2 + 2.8 * (len(shown) - 1)))
     grid = figure.add_gridspec(len(shown), 4)
     maps = np.array(
         [[figure.add_subplot(grid[row, n]) for n in range(3)] for row in range(len(shown))]
