@@ -4,7 +4,6 @@
 import os
 import struct
 import sys
-import time
 from collections import Counter
 from pathlib import Path
 
@@ -19,19 +18,14 @@ from rupture.commands.folder import open_own
 from rupture.replacing import write_whole
 from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
-from report.glance import SEEN, draw_glance
 from report import jobs as of_jobs
-from report import machine
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from report.written import intact, leave_out, seal, take, written
 from report.symbols import typeset
 
 HERE = Path(__file__).resolve().parent
-GLANCE = ("claims.png", "claims.pdf")
-WRITTEN = ("index.html", "numbers.csv", *GLANCE)
-MANY = 12  # commands of a step, beyond which only their number is of interest
-MANY_SUMS = 100  # checksums
+WRITTEN = ("index.html", "numbers.csv")
 COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 
@@ -78,7 +72,6 @@ class Recipe:
         self.tables = [path.name for path in first_own(paths) if path.suffix == ".csv"]
         self.accounts = [name for name in (COMMANDS, of_jobs.JOBS) if name in self.files]
         self.jobs = of_jobs.read_jobs(folder)
-        self.sums = of_jobs.files_of(self.jobs)
 
 
 def check_listed(path, claims, rows):
@@ -104,22 +97,6 @@ def shown_of(root, names):
     return found
 
 
-def duration(seconds):
-    if seconds < 10:
-        return f"{seconds:.1f} s"
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes} min {rest} s" if minutes > 1 else f"{60 * minutes + rest} s"
-
-
-def glance_picture(results, claims):
-    """Draws the picture of all claims over samples; None if there is none."""
-    found = [claim for claim in claims if claim.shares]
-    if not found:
-        return None
-    draw_glance(found, results / "claims")
-    return picture(results / GLANCE[0], SEEN)
-
-
 def in_words(claims):
     """What came out: verdicts, and how many findings without one hold as they are shown."""
     findings = [claim for claim in claims if claim.kind == "finding"]
@@ -139,13 +116,11 @@ def in_words(claims):
 
 
 def contents(root, paper):
-    results = root / "results" / paper
     names = [name for name in with_results(root) if paper_of(name) == paper]
     recipes = shown_of(root, names)
     shown = [recipe.name for recipe in recipes]
-    found = {claim.id: (recipe, claim) for recipe in recipes for claim in recipe.claims}
-    rows = [found[claim_id] for claim_id in table(paper) if claim_id in found]
-    claims = [claim for _, claim in rows]
+    found = {claim.id: claim for recipe in recipes for claim in recipe.claims}
+    claims = [found[claim_id] for claim_id in table(paper) if claim_id in found]
     jobs = [*{job["id"]: job for recipe in recipes for job in recipe.jobs}.values()]
     builds = of_jobs.builds_of(jobs)
     verdicts = (root / "docs/claims.md").read_text(encoding="utf-8").partition("\n")[2]
@@ -154,7 +129,7 @@ def contents(root, paper):
     return {
         "paper": read(paper)[0],
         "recipes": recipes,
-        "rows": rows,
+        "claims": claims,
         "listed": len(table(paper)),
         "in_words": in_words(claims),
         "counts": [
@@ -165,14 +140,8 @@ def contents(root, paper):
         "released": released(root, builds),
         "movie": any(MOVIE == f"{one.name}/{file}" for one in recipes for file in one.files)
         and MOVIE,
-        "glance": glance_picture(results, claims),
         "verdicts": as_html(verdicts, shown),
-        "jobs": jobs,
-        "last": max((job.get("started", 0) for job in jobs), default=0),
-        "run": machine.last_run(root, jobs),
         "builds": builds,
-        "build": machine.present_build(),
-        "processor": machine.processor(),
     }
 
 
@@ -185,14 +154,9 @@ def render(content):
         lstrip_blocks=True,
     )
     environment.filters.update(
-        date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
-        duration=duration,
         number=number,
-        seconds_of=of_jobs.seconds_of,
-        steps=of_jobs.steps,
         typeset=typeset,
     )
-    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 
@@ -203,8 +167,6 @@ def write_page(root, results, paper):
     content = contents(root, paper)
     write_whole(path, render(content))
     write_numbers(path.with_name("numbers.csv"), content["numbers"])
-    for name in () if content["glance"] else GLANCE:
-        path.with_name(name).unlink(missing_ok=True)  # of other results
     seal(results, *map(path.with_name, WRITTEN))
     return content
 
@@ -217,12 +179,11 @@ def main(folder="."):
         papers = sorted({"", *map(paper_of, with_results(root))})
         content, *_ = [write_page(root, results, paper) for paper in papers]
         write_crate(root)
-        if len(content["rows"]) == len(table()):
+        if len(content["claims"]) == len(table()):
             own = [result for recipe in content["recipes"] for result in recipe.own]
-            claims = [claim for _, claim in content["rows"]]
             main_build = next((build for build, _ in content["builds"]), "")  # of most records
             version = version_of(main_build)
-            update_readme(root, claims, own, content["numbers"], version)
+            update_readme(root, content["claims"], own, content["numbers"], version)
         for paper in papers:
             print(f"Report: {results / paper / 'index.html'}", flush=True)
     except Failure as problem:

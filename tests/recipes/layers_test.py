@@ -92,4 +92,4 @@ def test_files_are_read_by_the_checked_reader_alone():
     """Only it refuses what HDF5 would follow into other files."""
     opens = re.compile(r"h5py\.File\((?![^\n]*\"w\")")
     found = {module_of(path) for path in SOURCES if opens.search(path.read_text(encoding="utf-8"))}
-    assert found == {"rupture.files", "rupture.envelope"}
+    assert found == {"rupture.files"}

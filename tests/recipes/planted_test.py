@@ -14,7 +14,7 @@ import pytest
 from claims.claim import read_results
 from claims.own_result import results_in
 from conftest import ROOT
-from fixture import SHARE, START, Project, spill
+from fixture import Project, spill
 from report import page
 from report.jobs import read_jobs
 from report.written import seal
@@ -23,7 +23,6 @@ from rupture.errors import Failure
 from stand_ins import Project as Clone
 
 SECRET = "a secret of the user"
-RUN = {"recipes": "fig2", "where": "here", "started": int(START), "seconds": 65}
 OWN = {"id": "choices", "question": "Is it?", "measured": {"v [m/s]": 1.0}, "expected": {"v": "1"}}
 NAMES: tuple = (
     "fig2/jobs.jsonl",
@@ -32,7 +31,7 @@ NAMES: tuple = (
     "figS1/figS1.png",
     "fig1/front.csv",
 )
-NAMES += ("runs.jsonl", "index.html", "numbers.csv", "claims.png", "ro-crate-metadata.json")
+NAMES += ("index.html", "numbers.csv", "ro-crate-metadata.json")
 SHAPES = {
     "pipe": lambda path, _: os.mkfifo(path),
     "folder": lambda path, _: (path / "theirs").mkdir(parents=True),
@@ -60,7 +59,6 @@ def project_with_results(tmp_path_factory):
     project = Project(tmp_path_factory.mktemp("sound") / "project")
     project.make_recipes()
     project.make_accounts()
-    spill(project.results / "runs.jsonl", json.dumps(RUN) + "\n")
     spill(project.results / "fig4/own.json", json.dumps([OWN]))
     project.seal()
     assert project.report().returncode == 0
@@ -91,7 +89,7 @@ def plant(path, shape, outside):
 @pytest.mark.parametrize("shape", SHAPES)
 def test_a_report_leaves_out_what_was_planted(copied, shape, tmp_path):
     spill(outside := tmp_path / "outside", SECRET)
-    ours = NAMES if shape in ("empty", "huge", "no text", "no JSON", "deep", "zeros") else NAMES[:6]
+    ours = NAMES if shape in ("empty", "huge", "no text", "no JSON", "deep", "zeros") else NAMES[:5]
     for name in ours:
         plant(copied.results / name, shape, outside)
     done = copied.report()
@@ -100,7 +98,7 @@ def test_a_report_leaves_out_what_was_planted(copied, shape, tmp_path):
         sentence = f"{name} is gone, or not as it was written: left out until ./reproduce.sh"
         assert sentence in done.stderr
         assert f'id="{name.split("/")[0]}"' not in copied.page.read_text()
-    texts = (path.read_text() for path in map(copied.results.joinpath, NAMES[6:8] + NAMES[9:]))
+    texts = (path.read_text() for path in map(copied.results.joinpath, NAMES[5:]))
     assert not any(SECRET in text for text in texts)
     assert outside.read_text() == SECRET
 
@@ -212,7 +210,6 @@ def documents(results):
 
 
 def test_other_types_and_values_are_refused_or_shown_as_text(copied, monkeypatch):
-    monkeypatch.setattr(page, "glance_picture", lambda *_: None)
     monkeypatch.setattr(page, "with_results", lambda _: ["fig2"])
     shown = 0
     for name, reader, text in documents(copied.results):
@@ -227,13 +224,3 @@ def test_other_types_and_values_are_refused_or_shown_as_text(copied, monkeypatch
             shown += 1
         path.write_text(before)
     assert shown > 20
-
-
-def test_texts_in_the_picture_of_all_claims_are_texts(copied):
-    path = copied.results / "fig2/claims.json"
-    content = json.loads(path.read_text())
-    for claim in content["claims"]:
-        claim["shares"] = [SHARE, SHARE | {"way": "$\\frac{"}]
-    path.write_text(json.dumps(content))
-    seal(copied.results, path)
-    assert copied.report().returncode == 0
