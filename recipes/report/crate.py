@@ -38,7 +38,7 @@ WITH_TIMES = {
     "index.html": "All figures and claims on one page",
     JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
-OF_THE_RUN = ("index.html", "numbers.csv")
+OF_THE_RUN = ("index.html", "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):

@@ -18,6 +18,7 @@ from rupture.commands.folder import open_own
 from rupture.replacing import write_whole
 from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
+from report.glance import SEEN, draw_glance
 from report import jobs as of_jobs
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
@@ -25,7 +26,8 @@ from report.written import intact, leave_out, seal, take, written
 from report.symbols import typeset
 
 HERE = Path(__file__).resolve().parent
-WRITTEN = ("index.html", "numbers.csv")
+GLANCE = ("claims.png", "claims.pdf")
+WRITTEN = ("index.html", "numbers.csv", *GLANCE)
 COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 
@@ -97,6 +99,15 @@ def shown_of(root, names):
     return found
 
 
+def glance_picture(results, claims):
+    """Draws the picture of all claims over samples; None if there is none."""
+    found = [claim for claim in claims if claim.shares]
+    if not found:
+        return None
+    draw_glance(found, results / "claims")
+    return picture(results / GLANCE[0], SEEN)
+
+
 def in_words(claims):
     """What came out: verdicts, and how many findings without one hold as they are shown."""
     findings = [claim for claim in claims if claim.kind == "finding"]
@@ -116,11 +127,13 @@ def in_words(claims):
 
 
 def contents(root, paper):
+    results = root / "results" / paper
     names = [name for name in with_results(root) if paper_of(name) == paper]
     recipes = shown_of(root, names)
     shown = [recipe.name for recipe in recipes]
-    found = {claim.id: claim for recipe in recipes for claim in recipe.claims}
-    claims = [found[claim_id] for claim_id in table(paper) if claim_id in found]
+    found = {claim.id: (recipe, claim) for recipe in recipes for claim in recipe.claims}
+    rows = [found[claim_id] for claim_id in table(paper) if claim_id in found]
+    claims = [claim for _, claim in rows]
     jobs = [*{job["id"]: job for recipe in recipes for job in recipe.jobs}.values()]
     builds = of_jobs.builds_of(jobs)
     verdicts = (root / "docs/claims.md").read_text(encoding="utf-8").partition("\n")[2]
@@ -129,7 +142,7 @@ def contents(root, paper):
     return {
         "paper": read(paper)[0],
         "recipes": recipes,
-        "claims": claims,
+        "rows": rows,
         "listed": len(table(paper)),
         "in_words": in_words(claims),
         "counts": [
@@ -140,6 +153,7 @@ def contents(root, paper):
         "released": released(root, builds),
         "movie": any(MOVIE == f"{one.name}/{file}" for one in recipes for file in one.files)
         and MOVIE,
+        "glance": glance_picture(results, claims),
         "verdicts": as_html(verdicts, shown),
         "builds": builds,
     }
@@ -167,6 +181,8 @@ def write_page(root, results, paper):
     content = contents(root, paper)
     write_whole(path, render(content))
     write_numbers(path.with_name("numbers.csv"), content["numbers"])
+    for name in () if content["glance"] else GLANCE:
+        path.with_name(name).unlink(missing_ok=True)  # of other results
     seal(results, *map(path.with_name, WRITTEN))
     return content
 
@@ -179,11 +195,12 @@ def main(folder="."):
         papers = sorted({"", *map(paper_of, with_results(root))})
         content, *_ = [write_page(root, results, paper) for paper in papers]
         write_crate(root)
-        if len(content["claims"]) == len(table()):
+        if len(content["rows"]) == len(table()):
             own = [result for recipe in content["recipes"] for result in recipe.own]
+            claims = [claim for _, claim in content["rows"]]
             main_build = next((build for build, _ in content["builds"]), "")  # of most records
             version = version_of(main_build)
-            update_readme(root, content["claims"], own, content["numbers"], version)
+            update_readme(root, claims, own, content["numbers"], version)
         for paper in papers:
             print(f"Report: {results / paper / 'index.html'}", flush=True)
     except Failure as problem:

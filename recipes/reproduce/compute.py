@@ -24,7 +24,7 @@ def prepare(request, processes):
         request.turn = hold(RESULTS)
     elif RESULTS.is_dir():
         check(RESULTS)
-    page = ("index.html", "numbers.csv")
+    page = ("index.html", "numbers.csv", "claims.png", "claims.pdf")
     ours = ("ro-crate-metadata.json", *(page if request.command == "all" else ()))
     refuse_others(RESULTS, *(RESULTS / name for name in ours))  # before hours of computing
     if request.programs:

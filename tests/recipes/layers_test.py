@@ -78,7 +78,7 @@ def texts_in(path):
 
 BELOW = [path for path in SOURCES if layer_of(module_of(path)) in PACKAGES[:3]]
 NAMES = {*RECIPES, *(claim for paper in {*map(paper_of, RECIPES)} for claim in table(paper))}
-NAMES -= {"speeds"}  # a plain word, too
+NAMES -= {"speeds", "places"}  # plain words, too
 NAMED = re.compile(rf"(?<![\w-])({'|'.join(map(re.escape, NAMES))})(?![\w-])")
 
 

@@ -154,9 +154,10 @@ def test_sections_say(page, name, text):
 
 
 def test_lists_every_judged_claim_in_order(page):
-    ids = re.findall(r'<tbody id="result-([^"]+)"', page)
+    ids = re.findall(r'<tr id="claim-([^"]+)"', page)
+    assert ids == JUDGED
     chips = re.findall(r'href="#result-([\w-]+)"\s+aria-label', section(page, "gallery"))
-    assert chips == ids and sorted(ids) == sorted(JUDGED)
+    assert sorted(chips) == sorted(JUDGED)
     counts = [int(count) for count in re.findall(r"<strong>(\d+)</strong>", page)]
     checks = sum(table()[claim_id]["kind"] == "check" for claim_id in JUDGED)
     assert counts == [len(JUDGED) - checks, checks - 1, 1]  # reproduced; reproduced, differs
@@ -165,7 +166,7 @@ def test_lists_every_judged_claim_in_order(page):
 
 def test_orders_recipes_as_the_paper_does_each_with_its_picture(page):
     names = re.findall(r'<section id="([^"]+)"', page)
-    assert names == ["gallery", *RECIPES, "numbers", "verdicts", "build"]
+    assert names == ["gallery", *RECIPES, "claims", "numbers", "verdicts", "build"]
     card = r'<a class="card" href="#(\w+)">\s*<span class="thumbnail"><img src="([^"]+)"'
     assert re.findall(card, page) == [(name, f"{name}/{name}.png") for name in RECIPES]
 
@@ -179,7 +180,7 @@ def test_leaves_out_what_was_not_run_and_what_belongs_elsewhere(page):
 
 
 def test_files_of_others_are_not_replaced(project):
-    for name in ("index.html", "ro-crate-metadata.json", "numbers.csv"):
+    for name in ("index.html", "ro-crate-metadata.json", "claims.png"):
         path = (project.results / name).resolve()
         path.symlink_to("mine")
         done = project.report()
@@ -282,6 +283,16 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
         parts = quantity.split(": ")
         ends = [": ".join(parts[n:]) for n in range(len(parts))]
         assert any(re.fullmatch(name, end) for name in names for end in ends), quantity
+
+
+def test_the_picture_of_all_claims_shows_them_as_they_are(project):
+    picture, claims = project.results / "claims.png", project.results / "fig2/claims.json"
+    page_of(project)
+    drawn = picture.read_bytes()
+    claims.write_text(claims.read_text().replace('"shown": "holds"', '"shown": "does not hold"'))
+    page_of(project)
+    assert picture.read_bytes() != drawn
+    assert picture.with_suffix(".pdf").exists()
 
 
 @pytest.mark.parametrize("name, content, sentence", REFUSED)

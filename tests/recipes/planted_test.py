@@ -14,7 +14,7 @@ import pytest
 from claims.claim import read_results
 from claims.own_result import results_in
 from conftest import ROOT
-from fixture import Project, spill
+from fixture import SHARE, Project, spill
 from report import page
 from report.jobs import read_jobs
 from report.written import seal
@@ -31,7 +31,7 @@ NAMES: tuple = (
     "figS1/figS1.png",
     "fig1/front.csv",
 )
-NAMES += ("index.html", "numbers.csv", "ro-crate-metadata.json")
+NAMES += ("index.html", "numbers.csv", "claims.png", "ro-crate-metadata.json")
 SHAPES = {
     "pipe": lambda path, _: os.mkfifo(path),
     "folder": lambda path, _: (path / "theirs").mkdir(parents=True),
@@ -98,7 +98,7 @@ def test_a_report_leaves_out_what_was_planted(copied, shape, tmp_path):
         sentence = f"{name} is gone, or not as it was written: left out until ./reproduce.sh"
         assert sentence in done.stderr
         assert f'id="{name.split("/")[0]}"' not in copied.page.read_text()
-    texts = (path.read_text() for path in map(copied.results.joinpath, NAMES[5:]))
+    texts = (path.read_text() for path in map(copied.results.joinpath, NAMES[5:7] + NAMES[8:]))
     assert not any(SECRET in text for text in texts)
     assert outside.read_text() == SECRET
 
@@ -210,6 +210,7 @@ def documents(results):
 
 
 def test_other_types_and_values_are_refused_or_shown_as_text(copied, monkeypatch):
+    monkeypatch.setattr(page, "glance_picture", lambda *_: None)
     monkeypatch.setattr(page, "with_results", lambda _: ["fig2"])
     shown = 0
     for name, reader, text in documents(copied.results):
@@ -224,3 +225,13 @@ def test_other_types_and_values_are_refused_or_shown_as_text(copied, monkeypatch
             shown += 1
         path.write_text(before)
     assert shown > 20
+
+
+def test_texts_in_the_picture_of_all_claims_are_texts(copied):
+    path = copied.results / "fig2/claims.json"
+    content = json.loads(path.read_text())
+    for claim in content["claims"]:
+        claim["shares"] = [SHARE, SHARE | {"way": "$\\frac{"}]
+    path.write_text(json.dumps(content))
+    seal(copied.results, path)
+    assert copied.report().returncode == 0
