@@ -259,7 +259,15 @@ Settings Model::parameters() {
 }
 
 std::unique_ptr<Model> opened(const std::string& path, std::optional<int> threads) {
-  return std::make_unique<Model>(read_checkpoint(path), std::filesystem::absolute(path), threads);
+  Checkpoint start = read_checkpoint(path);
+  if (!start.alarm.empty()) {
+    throw Failure(
+        "an alarm stopped a run in the state of {}, which means nothing (see rupture analyze "
+        "show): "
+        "start from an earlier checkpoint",
+        path);
+  }
+  return std::make_unique<Model>(std::move(start), std::filesystem::absolute(path), threads);
 }
 
 std::unique_ptr<Model> loaded(const Settings& settings, std::optional<int> threads) {

@@ -183,7 +183,11 @@ def test_what_cannot_be_is_one_sentence_and_nothing_is_lost(sim, starts):
     assert Path("mine.h5").read_text() == "mine"
     assert sim.time == t and sim.save("mine.h5", force=True) == rupture.open(start).checksum
     sim["v_x"][4, 8] += 1e3
+    sim.save("kicked.h5")
     fails("^the energy account from t = 0.0002 s to 0.001 s is off by", sim.run, 1.2e-3)
+    options = {"output": "b.h5", "for_": 1e-3}
+    fails("this state is in b.alarm.h5$", rupture.run, "restart", "kicked.h5", **options)
+    fails("^an alarm stopped a run in the state of b.alarm", rupture.Simulation, "b.alarm.h5")
 
 
 def test_without_the_module_the_rest_works(folder):
