@@ -27,7 +27,7 @@ run                   id? text  first_step?,last_break?,ruptures? int64
 run                   quiet_steps?,until_rupture_of? int64
 run                   leading_edge_ruptured?,spanned?,until_spanned? uint8  event? float64[Nx]
 run                   last_rupture?,arrived_below?,record_every?,fields_every? float64
-run                   record_every_in_events?,quiet_time? float64
+run                   record_every_in_events?,record_every_in_spanning_events?,quiet_time? float64
 """
 CHECKPOINT = """\
 state                 step int64  u_x,u_z,v_x,v_z,f_x,f_z float64[Nz][Nx]
@@ -75,7 +75,7 @@ class Content(dict):
     def __init__(self, file, path, header, size):
         super().__init__()
         self.path, self.kind, self.size, self.room = path, header.split("-")[1], size, size
-        self.rows = dict(rows_of(self.kind))
+        self.rows, self.is_part = dict(rows_of(self.kind)), header.endswith("-part")
         for name in ("format", "schema_version", "content_checksum"):
             self.check_attribute(file.id, name, "the file")
         said, schema = text(file.attrs["format"]), file.attrs["schema_version"]
@@ -102,6 +102,8 @@ class Content(dict):
         for name, kind in links:
             path = f"{where}/{name.decode(errors='replace')}"
             row = re.sub("^/provenance/[^/]+", "/provenance/*", path)
+            if path == "/held" and self.is_part:  # of which `rupture finish` keeps what spans
+                continue
             item = h5o.open(group, name) if kind == h5l.TYPE_HARD else None
             if row in self.rows and isinstance(item, h5d.DatasetID):
                 self.add(item, path)
