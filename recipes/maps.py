@@ -7,12 +7,14 @@ from functools import cache
 from rupture.errors import Failure
 from rupture.once import each, run
 
+import frozen
 from claims.samples import Sample, Samples, sampled
 from measure import front_map
 from measure.ways import ON_MAP, PRIMARY, WAYS, by_way
 from measure.fronts import TYPES, type_on_map
 
-SEEDS = range(1, 6)
+SEEDS = frozen.SEEDS_OF_PREPARED
+FIRST = SEEDS[0]  # of each place on a map
 COARSE = "--record record.h5 --record-every 1e-3"
 CLASSIFIED = f"--arrived-below 0.2 {COARSE} --crossings 0.2,0.5"
 STEP = 2.5e-4  # of tau_bar_0, between the two fronts beside an edge
@@ -23,7 +25,7 @@ NEAR = 4  # steps, to either side of a guess
 def spaced(first, last, step):
     """Numbers so far apart, without the noise of the 13th digit."""
     count = round((last - first) / step)
-    return [float(f"{first + n * step:.12g}") for n in range(count + 1)]
+    return [frozen.rounded(first + n * step) for n in range(count + 1)]
 
 
 # --- samples -----------------------------------------------------------------------------------
@@ -36,7 +38,7 @@ def samples_of_seeds(function, title):
 
 def over_seeds(function, title):
     """The samples of a function of the seed; the picture shows the first."""
-    return Samples({"": function(SEEDS[0])}, {PRIMARY: samples_of_seeds(function, title)})
+    return Samples({"": function(FIRST)}, {PRIMARY: samples_of_seeds(function, title)})
 
 
 # --- fronts ------------------------------------------------------------------------------------
@@ -103,7 +105,7 @@ class Map:
     fronts: dict
 
     def on_grid(self):
-        return {place: {1: self.fronts[place][1]} for place in self.grid}
+        return {place: {FIRST: self.fronts[place][FIRST]} for place in self.grid}
 
     def of_seed(self, seed):
         """On the grid; the map of a seed has its own fronts where the type changes, and those of
@@ -112,7 +114,7 @@ class Map:
 
     def samples(self):
         seeds = [Sample(None, self.of_seed(seed)) for seed in SEEDS]
-        return Samples({"": self.of_seed(1)}, {PRIMARY: seeds})
+        return Samples({"": self.of_seed(FIRST)}, {PRIMARY: seeds})
 
 
 def merged(*maps):
@@ -129,9 +131,9 @@ def nowhere(_):
 def map_of(grid, options="", between=front_map.to_refine):
     """A grid with one seed, places between those where the type changes, and several seeds next to
     another type."""
-    fronts = fronts_at(grid, [1], options)
+    fronts = fronts_at(grid, [FIRST], options)
     types = front_map.types_of(fronts)
-    halfway = fronts_at(between(types), [1], options, "map, halfway")
+    halfway = fronts_at(between(types), [FIRST], options, "map, halfway")
     places = front_map.boundary(types, front_map.types_of(halfway))
     beside = fronts_at(places, SEEDS, options, "map, where the type changes")
     return Map(grid, merged(fronts, halfway, beside))
@@ -191,7 +193,7 @@ class Interfaces:
 
 
 @cache
-def edges(sigma_bar, options="", seed=1):
+def edges(sigma_bar, options="", seed=FIRST):
     """{way: {"slow": lowest tau_bar_0 of a front that is not arrested, "fast": of a fast one}}"""
     interfaces = Interfaces(f"--sigma-bar {sigma_bar:.12g} --set numerics.seed={seed} {options}")
     return {way: {kind: interfaces.edge(kind, way) for kind in TYPES[1:]} for way in WAYS}

@@ -10,7 +10,7 @@ from rupture.reports import values
 from rupture.tools.command_line import plural
 
 from claims.own_result import OwnResult, write_own
-from ensemble import alternation, precursors
+from ensemble import alternation, event_of_paper, precursors
 from ensemble.commands import compute, runs, spanning
 from measure.tables import write_events
 
@@ -71,6 +71,7 @@ def make(results):
     draw(loads, results / "ensemble")
     alternation.draw(loads["load"], results / "alternation")
     precursors.draw(reference, results / "precursors")
+    event_of_paper.make(results, reference)
     events = (
         event | {"load": load, "kind": kind}
         for load, pairs in chain(*(of.items() for of in loads.values()))

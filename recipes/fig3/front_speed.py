@@ -10,6 +10,7 @@ from functools import cache, partial
 import numpy as np
 from rupture.once import run
 
+import frozen
 import paper
 from claims.samples import Samples
 from fig3 import slow_fronts as slow
@@ -36,8 +37,10 @@ def over(name, *values):
     return [{name: value} for value in values]
 
 
-def on_stress(tau_bars, name, values):
-    return [{"tau-bar": tau_bar, name: value} for tau_bar, value in places_of(tau_bars, values)]
+def on_stress(tau_bars, name, values, step=0.005):
+    """On prestress in steps."""
+    shifted = frozen.tau_bars("fig3", tau_bars, step)
+    return [{"tau-bar": tau_bar, name: value} for tau_bar, value in places_of(shifted, values)]
 
 
 FULL: dict[str, list] = {  # each with its variants
@@ -46,7 +49,7 @@ FULL: dict[str, list] = {  # each with its variants
     "full, F_N": over("slider.F_N", 960, 1440, 2880, 3840),
 }
 OF_SIMPLIFIED = {
-    "simplified, v_slow and tau_0": on_stress((0.05, 0.1, 0.15), "junctions.v_slow", V_SLOW),
+    "simplified, v_slow and tau_0": on_stress((0.05, 0.1, 0.15), "junctions.v_slow", V_SLOW, 0.05),
     "simplified, t_R": over(T_R, 1e-3, 1.5e-3, 3e-3, 4e-3),
     "simplified, f_slip": over(MU_D, 0.085, 0.1275, 0.255),
     "simplified, k_i": over("slider.E", 2e9, 4.5e9, 6e9),

@@ -8,6 +8,7 @@ import numpy as np
 from rupture.once import measured
 from rupture.reports import values
 
+import frozen
 from claims.samples import every
 from fig3.decay_length import METHODS, decay_of_front, median
 from fig3.front_speed import REFERENCE, parameters
@@ -31,7 +32,8 @@ def front_at(tau_bar, seed):
 @cache
 def fronts(seed):
     """{tau_bar_0: what decay_length.py reports}"""
-    points = [(tau_bar, seed) for tau_bar in spaced(0.07, 0.12, 0.005)]
+    tau_bars = frozen.tau_bars("fig3", spaced(0.07, 0.12, 0.005), 0.005)
+    points = [(tau_bar, seed) for tau_bar in tau_bars]
     found = every(front_at, points, f"decay length, seed {seed}")
     return {tau_bar: of for (tau_bar, _), of in found.items()}
 

@@ -4,13 +4,15 @@ Pressure and mu_s are as ever, tau-bar is now tau_0/(mu_s p)."""
 from functools import cache
 from types import SimpleNamespace
 
+import frozen
 from claims.samples import every, sampled
-from maps import SEEDS, edges, fronts_at, over_seeds, places_of, spaced, width
+from maps import FIRST, SEEDS, edges, fronts_at, over_seeds, places_of, spaced, width
 from measure.ways import WAYS
 from measure.front_map import TYPES, beyond_trigger, front_type
 from measure.tables import write_table
 
-TAU_BARS, SIGMA_BARS = spaced(0.02, 0.4, 0.02), (0, 0.1)
+TAU_BARS = frozen.tau_bars("fig3", spaced(0.02, 0.4, 0.02), 0.02)
+SIGMA_BARS = frozen.sigma_bars("fig3", (0, 0.1), 0.1)
 NO_FORCE = "--set junctions.mu_d=0"
 
 
@@ -57,7 +59,7 @@ def make(results):
     known = sampled(fronts, [(seed,) for seed in SEEDS], "f_slip = 0")
     rows = (
         [seed, *place, slowest(front), *(front_type(front, name) for name in WAYS)]
-        for (seed,), found in (known or [((1,), fronts(1))])
+        for (seed,), found in (known or [((FIRST,), fronts(FIRST))])
         for place, front in found.items()
     )
     names = ["seed", "tau-bar", "sigma-bar", "lowest v_c [m/s]", *WAYS]

@@ -7,6 +7,7 @@ import numpy as np
 from rupture.once import each, keep, run
 from rupture.reports import LOADING_ZONE, values
 
+import frozen
 import maps
 from claims.samples import Samples, every
 from events import EVENTS, NO_SLOW_SLIP, all_continued, shown_event, samples_of_branches
@@ -20,7 +21,12 @@ from measure.pairs import share_of_lower
 REGION = 0.25  # from here on phi is changed [L]
 SHOWN = ("event II", "event I")  # the paper shows the first
 SHAPES = ("uniform", "bell")
-SIGMA_BARS = (0, 0.05, 0.1, 0.16, 0.2, 0.25, 0.285)  # of edges
+GRID = (
+    frozen.tau_bars("fig4", spaced(0.03, 0.41, 0.02), 0.02),
+    frozen.sigma_bars("fig4", spaced(0, 0.285, 0.015), 0.015),
+)
+# Of edges; their step is that of the map.
+SIGMA_BARS = frozen.sigma_bars("fig4", (0, 0.05, 0.1, 0.16, 0.2, 0.25, 0.285), 0.015)
 
 
 # --- A-B: a wider phi --------------------------------------------------------------------------
@@ -104,7 +110,7 @@ def curves():
 def prepared_block(shape, tau_bar, sigma_bar):
     """How strong a block of a prepared interface is, and which front it lets pass."""
     prestress = f"--shape {shape} --tau-bar {tau_bar} --sigma-bar {sigma_bar}"
-    interface = f"{prestress} --set numerics.seed=1"
+    interface = f"{prestress} --set numerics.seed={maps.FIRST}"
     report = run(f"analyze strength {maps.start_of(interface)}")
     front = run(f"analyze front {maps.record_of(interface)}")
     return strength.prepared_block(report, front, tau_bar, shape)
@@ -113,7 +119,8 @@ def prepared_block(shape, tau_bar, sigma_bar):
 @cache
 def prepared():
     """The blocks of interfaces, without those that cannot be prepared."""
-    taus, sigmas = (0.1, 0.14, 0.18), spaced(0, 0.35, 0.05)
+    taus = frozen.tau_bars("fig4", (0.1, 0.14, 0.18), 0.04)
+    sigmas = frozen.sigma_bars("fig4", spaced(0, 0.35, 0.05), 0.05)
     points = [(shape, *place) for shape in SHAPES for place in places_of(taus, sigmas)]
     return [block for _, block in each(prepared_block, points, "prepared interfaces")]
 
@@ -159,7 +166,7 @@ def friction(of, way):
 @cache
 def map_of_types():
     """Over prestress and width of phi."""
-    return maps.map_of(places_of(spaced(0.03, 0.41, 0.02), spaced(0, 0.285, 0.015)))
+    return maps.map_of(places_of(*GRID))
 
 
 def each_seed():

@@ -7,6 +7,7 @@ import numpy as np
 from rupture.once import keep, measured, run
 from rupture.reports import value, values
 
+import frozen
 from claims.samples import Samples, Sample, every, sampled
 from events import CROSSINGS, FINE, checkpoint_at, samples_of_events, shown_event
 from fig5.quasistatic_stretch import advances_of, stretch_of
@@ -19,7 +20,7 @@ EVERY = 0.01  # [s], checkpoints of runs at h = 0
 RECORDED = "--record record.h5 --record-every 1e-3"
 CROSSED = f"{RECORDED} {CROSSINGS}"
 BRANCHED = 0.03  # [s]; here runs get seeds of their own: the first junction breaks at 0.0378 s
-SEEDS, SEEDS_WITHOUT_FORCE = range(401, 421), range(401, 406)
+SEEDS, SEEDS_WITHOUT_FORCE = frozen.SEEDS, frozen.SEEDS[:5]
 MOVES = 2  # blocks; what moves less with the drive has nothing to compare
 
 

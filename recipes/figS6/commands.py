@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from rupture.once import keep, run
 
 import events
+import frozen
 import maps
 from claims.samples import Samples
 from events import FINE, LAWS, shown_events, shown_load
@@ -16,7 +17,8 @@ from measure import front_map
 from measure.ways import PRIMARY
 
 LAW = "decaying"
-TAU_BARS, SIGMA_BARS = spaced(-0.28, 0.48, 0.04), spaced(0, 0.285, 0.015)
+TAU_BARS = frozen.tau_bars("figS6", spaced(-0.28, 0.48, 0.04), 0.04)
+SIGMA_BARS = frozen.sigma_bars("figS6", spaced(0, 0.285, 0.015), 0.015)
 
 
 @cache

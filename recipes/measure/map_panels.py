@@ -20,7 +20,10 @@ LINESTYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
 def regions(types, taus, sigmas):
     """The type of the nearest place, on the given axes; NaN where nothing can be prepared."""
-    spacing = taus[1] - taus[0], sigmas[1] - sigmas[0]
+    spacing = (
+        taus[-1] - taus[-2],
+        sigmas[-1] - sigmas[-2],
+    )  # the first may be another: 0 is not shifted
     places = np.array(list(types)) / spacing
     kinds = [TYPES.index(kind) if kind in TYPES else np.nan for kind in types.values()]
     nearest = NearestNDInterpolator(places, kinds)

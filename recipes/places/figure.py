@@ -32,6 +32,21 @@ def line_of(x, y):
     return float(x @ y / (x @ x)), float(x @ y / np.sqrt((x @ x) * (y @ y)))
 
 
+def spreads(found):
+    """Standard deviations of x_p and of ends, within states and between their means [L]; nothing
+    without two fast-slow-fast events of a state."""
+    within = deviations(found)
+    if not within.size:
+        return {}
+    slow = [[one for one in of if one["fast-slow-fast"]] for of in found.values()]
+    means = [[np.mean([one[name] for one in of]) for of in slow if of] for name in ("x_p", "end")]
+    return {
+        f"standard deviation of {name}, {where} states [L]": float(np.sqrt(np.mean(square)))
+        for where, both in (("within", within), ("between", np.array(means)))
+        for name, square in zip(("x_p", "end"), (both - both.mean(axis=1, keepdims=True)) ** 2)
+    }
+
+
 def shares(every):
     """{range of x_p: "so many of so many are fast-slow-fast"}, in parts of equal size."""
     ordered, found = sorted(every, key=lambda one: one["x_p"]), {}
@@ -54,7 +69,8 @@ def own_result(found):
         "fast-slow-fast within states": len(x),
     }
     question = "does a front speed up again where the precursor before it arrested, all else equal?"
-    return compared("places", numbers | others | shares(every), question, EXPECTED)
+    found_too = others | spreads(found) | shares(every)
+    return compared("places", numbers | found_too, question, EXPECTED)
 
 
 def draw(found, stem):

@@ -22,6 +22,7 @@ from rupture.replacing import replacing, write_whole
 
 README, PICTURE = "README.md", "docs/figure-2.png"
 TABLE, NUMBERS = "docs/verdicts.csv", "docs/numbers.csv"
+EXPECTED = "docs/expected.csv"  # before any run on the frozen seeds
 AFTER_RESULTS = re.compile(r"\b(after|knowing)\b")  # in when a criterion was fixed
 BLOCK = re.compile(r"(?<=<!-- results -->\n).*?(?=<!-- /results -->)", re.DOTALL)
 SENTENCES = Path(__file__).with_name("readme.txt").read_text(encoding="utf-8")
@@ -32,29 +33,44 @@ def short(value, digits=3):
     return float(f"{value:.{digits}g}") if isinstance(value, float) else value
 
 
-def row_of(result, version):
+def expectations(root):
+    """{claim: a share as "0.6 to 0.8", or a verdict}, as they were written down."""
+    return {row["id"]: row["expected"] for row in read_rows(root / EXPECTED)}
+
+
+def is_as_expected(row):
+    low, to, high = row["expected"].partition(" to ")
+    if not to:
+        return row["verdict"] == row["expected"]
+    return float(low) <= int(row["holds"]) / int(row["samples"]) <= float(high)
+
+
+def row_of(result, version, expected=""):
     """The share is that in the primary way, the numbers those that sentences name."""
-    expected = getattr(result, "expected", {})
+    asked = getattr(result, "expected", {})
     found = result.measured | {
-        "expectations": len(expected),
-        "met": sum(met(asked, result.measured[name]) for name, asked in expected.items()),
+        "expectations": len(asked),
+        "met": sum(met(condition, result.measured[name]) for name, condition in asked.items()),
     }
     shares = getattr(result, "shares", [])
     found |= {share.way: f"{share.holds} of {share.samples}" for share in shares}
     numbers = {key: short(value, 4) for key, value in found.items() if (result.id, key) in PLACES}
     primary = next(iter(shares), SimpleNamespace(holds="", samples=""))
     texts = (getattr(result, name, "") for name in ("kind", "fixed", "verdict"))
-    return [result.id, *texts, primary.holds, primary.samples, version, json.dumps(numbers)]
+    share = (primary.holds, primary.samples)
+    return [result.id, *texts, *share, version, expected, json.dumps(numbers)]
 
 
 def write_tables(root, claims, own, numbers, version):
     """Writes the tables: of claims and own results, and of the paper's numbers. An own result that
     `all` leaves out keeps its row."""
-    names = ["id", "kind", "fixed", "verdict", "holds", "samples", "version", "numbers"]
+    names = ["id", "kind", "fixed", "verdict", "holds", "samples", "version", "expected", "numbers"]
+    expected = expectations(root)
     ours = {row["id"]: row.values() for row in read_rows(root / TABLE) if not row["kind"]}
     ours |= {result.id: row_of(result, version) for result in own}
     named = [row for name, row in ours.items() if name in dict(PLACES)]
-    write_table(root / TABLE, names, [*(row_of(claim, version) for claim in claims), *named])
+    rows = (row_of(claim, version, expected.get(claim.id, "")) for claim in claims)
+    write_table(root / TABLE, names, [*rows, *named])
     write_numbers(root / NUMBERS, numbers)
 
 
@@ -75,13 +91,16 @@ def as_shown(name, value):
 
 
 def counts_of(rows):
-    """Counts verdicts, and criteria worded or changed after results; names what differs."""
+    """Counts verdicts, criteria worded or changed after results, and results that are as expected;
+    names what differs."""
     verdicts = Counter(row["verdict"] for row in rows)
     of_reproduced = [row["fixed"] for row in rows if row["verdict"] == REPRODUCED]
     late = sum(bool(AFTER_RESULTS.search(fixed)) for fixed in of_reproduced)
     counts: dict = dict.fromkeys(VERDICTS, 0) | verdicts
     differ = ", ".join(row["id"] for row in rows if row["verdict"] == DIFFERS)
     counts |= {"that differ": differ or "none", "reproduced after results": late}
+    foreseen = [is_as_expected(row) for row in rows if row["expected"]]
+    counts |= {"expected": len(foreseen), "as expected": sum(foreseen)}
     return counts | {"claims": verdicts.total()}
 
 

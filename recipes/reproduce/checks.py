@@ -36,6 +36,8 @@ CHECKS = {
     " .reuse/dep5.",
     CPPCHECK: "cppcheck reported the problems above (.cppcheck lists exceptions).",
     f"codespell {SPELLING} {TEXTS}": "codespell reported the typos above.",
+    "PYTHONPATH=recipes:python /usr/bin/python3 -m claims.freeze > /dev/null": "What decides a"
+    " verdict is not as it was frozen (docs/frozen.md).",
     f"! grep -rnif .phrases {TEXTS}": "The lines above are not plain English (.phrases).",
 }
 TIDY = (

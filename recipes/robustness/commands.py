@@ -5,6 +5,7 @@ from functools import cache
 
 from rupture.once import run
 
+import frozen
 import maps
 from claims.samples import Samples, every
 from events import FINE, LAWS, samples_of_runs
@@ -16,7 +17,16 @@ from measure.ways import PRIMARY
 from measure.front_map import types_of
 from measure.fronts import TYPES
 
-COARSE_MAP = places_of(spaced(0.02, 0.29, 0.03), spaced(0, 0.24, 0.08))
+
+def grid_of(tau_bars, sigma_bars):
+    """Both as (first, last, step)."""
+    return places_of(
+        frozen.tau_bars("robustness", spaced(*tau_bars), tau_bars[-1]),
+        frozen.sigma_bars("robustness", spaced(*sigma_bars), sigma_bars[-1]),
+    )
+
+
+COARSE_MAP = grid_of((0.02, 0.29, 0.03), (0, 0.24, 0.08))
 
 
 # --- exponential slipping times ----------------------------------------------------------------
@@ -29,8 +39,8 @@ def each_run():
 @cache
 def exponential_map():
     """A map on the grid of Figure 4 D, with one seed."""
-    grid = places_of(spaced(0.03, 0.41, 0.02), spaced(0, 0.285, 0.015))
-    return fronts_at(grid, [1], LAWS["exponential"], "exponential map")
+    grid = grid_of((0.03, 0.41, 0.02), (0, 0.285, 0.015))
+    return fronts_at(grid, [maps.FIRST], LAWS["exponential"], "exponential map")
 
 
 def exponential():
@@ -65,7 +75,7 @@ SLIDERS = {
 @cache
 def geometry():
     """{slider: map} with one seed."""
-    return {name: fronts_at(COARSE_MAP, [1], of, name) for name, of in SLIDERS.items()}
+    return {name: fronts_at(COARSE_MAP, [maps.FIRST], of, name) for name, of in SLIDERS.items()}
 
 
 def geometry_of_seed(seed):
@@ -95,7 +105,7 @@ def order_of_all(fronts, way):
 # --- the distance law --------------------------------------------------------------------------
 
 DISTANCES = {f"d_R {d:g} um": d * 1e-6 for d in (0.3, 1, 3, 10)}  # [m]; delta_d_R in proportion
-SIGMA_BARS = (0, 0.1)  # of edges
+SIGMA_BARS = frozen.sigma_bars("robustness", (0, 0.1), 0.1)  # of edges
 
 
 def by_distance(name):
@@ -108,7 +118,7 @@ def by_distance(name):
 def distance_maps():
     """{distance: map}"""
     return {
-        name: fronts_at(COARSE_MAP, [1], by_distance(name), name, plain_front_at)
+        name: fronts_at(COARSE_MAP, [maps.FIRST], by_distance(name), name, plain_front_at)
         for name in DISTANCES
     }
 

@@ -219,7 +219,10 @@ def is_option(word):
 
 
 def check_value(name, text, described):
-    """A number in the unit, or one of the words; several between commas; along x, each part."""
+    """A number in the unit, or one of the words; several between commas; along x, each part. Of a
+    condition only the program knows whether it is one."""
+    if described.get("value") == "T/CONDITION" and re.search("[<>]", text):
+        return
     words = described.get("words")
     for one in text.split(","):
         value, *place = re.split(" from | to ", one) if is_along_x(one) else [one]

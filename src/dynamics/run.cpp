@@ -55,7 +55,8 @@ std::optional<Ending> ending_at(const State& state, const RunSoFar& run, const S
       early.arrived_below && pinned_fraction(state.junctions, edge) >= *early.arrived_below;
   if (early.spanned && run.spanned && !waits) return Ending::spanned;
   if (early.quiet_steps && step - run.last_break >= *early.quiet_steps) return Ending::quiet;
-  if (early.may_come() && is_at_rest(state, run)) return Ending::at_rest;
+  const bool ends_at_rest = early.may_come() && early.condition.empty();
+  if (ends_at_rest && is_at_rest(state, run)) return Ending::at_rest;
   return std::nullopt;
 }
 
@@ -64,6 +65,7 @@ Ending run(Simulation& simulation, const StopRule& rule, const std::vector<Obser
   simulation.stop_at_rupture_of(rule.early.rupture_of);
   for (;;) {
     const std::int64_t step = simulation.state().step;
+    if (rule.condition_holds && rule.condition_holds()) return Ending::condition;
     if (const auto end = ending_at(simulation.state(), simulation.run(), rule)) return *end;
     std::int64_t pause = rule.last_step;
     if (rule.interrupted) {

@@ -80,6 +80,7 @@ INNOCENT = [  # what of SWEEP is replaced by what, and words of the first comman
     ),
     (VALUES, f"{VALUES}\nn = 2\nseed = {{n}} ** 2", "--seed 4"),
     (VALUES, "tau-bar = -0.1", "--tau-bar -0.1"),
+    ("prepare {values}", "load --until 'F_T > {tau-bar}kN'", "--until|F_T > 0.1kN"),
 ]
 
 

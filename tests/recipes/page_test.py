@@ -273,7 +273,7 @@ def test_every_placeholder_names_a_claim_or_an_own_result_and_its_quantity(recip
     if recipe == "README":
         text, scripts = readme.SENTENCES, [*(ROOT / "recipes").rglob("*.py")]
         known = table()
-        ids = {*known, "choices", "precursors", "kinds", "findings", "checks", "first"}
+        ids = {*known, "choices", "precursors", "places", "kinds", "findings", "checks", "first"}
     else:
         folder, known = ROOT / "recipes" / recipe, table(paper_of(recipe))
         text = (folder / "README.md").read_text(encoding="utf-8").partition("## Caption")[2]

@@ -52,6 +52,14 @@ def test_deviations_are_from_the_mean_of_each_state():
     assert figure.own_result({1: [one(0.4, 0.5)]}).measured[figure.SLOPE] is None
 
 
+def test_standard_deviations_are_within_states_and_between_their_means():
+    """Of x_p: 0.1 around 0.4 and 0.1 around 0.8; the means are 0.2 from theirs. A front that is not
+    fast-slow-fast does not count."""
+    found = {1: [one(0.3, 0.5), one(0.5, 0.5)], 2: [one(0.7, 0.7), one(0.9, 0.7)], 3: []}
+    found[1] += [one(0.9, None, False)]
+    assert [*figure.spreads(found).values()] == [approx(0.1), approx(0), approx(0.2), approx(0.1)]
+
+
 def test_shares_are_of_parts_of_equal_size_by_x_p():
     every = [one(n / 10, 0.5, n < 5) for n in range(10)]
     found = figure.shares(every[::-1])

@@ -58,17 +58,18 @@ def test_numbers_of_shown_events_are_those_that_the_programs_compute(event, fold
 
 
 VERDICTS = (
-    "id,kind,fixed,verdict,holds,samples,version,numbers\n"
-    "1D,finding,today,in part,1,2,0,{}\n"
-    "2A,finding,today,,,,,{}\n"  # it waited for its runs
-    'choices,,,,,,0,"{""moved"": 7}"\n'
+    "id,kind,fixed,verdict,holds,samples,version,expected,numbers\n"
+    "1D,finding,today,in part,1,2,0,,{}\n"
+    "2A,finding,today,,,,,,{}\n"  # it waited for its runs
+    'choices,,,,,,0,,"{""moved"": 7}"\n'
 )
+EXPECTED = "id,expected\n2A,0.9 to 1\n3D,reproduced\n"
 
 
 TEXT = "{findings: claims} {findings: reproduced} {findings: differs} {findings: that differ} "
 TEXT += "{findings: reproduced after results}; {2A: holds} of {2A: samples}, {2A: verdict}, "
 TEXT += "{2A: begin [L]} {2A: slowest/c_s} {2A: raw line}; {choices: moved}; {near: met} of "
-TEXT += "{near: expectations}\n"
+TEXT += "{near: expectations}; {findings: as expected} of {findings: expected}\n"
 
 
 @pytest.fixture(autouse=True, name="sentences")
@@ -98,6 +99,7 @@ def update(root, verdict="reproduced"):
 @pytest.fixture(name="clone")
 def made_up_clone(tmp_path):
     spill(tmp_path / readme.TABLE, VERDICTS)
+    spill(tmp_path / readme.EXPECTED, EXPECTED)
     for name in (readme.NUMBERS, readme.PICTURE):
         spill(tmp_path / name, "old")
     spill(tmp_path / "results/fig2/fig2.png", "Figure 2")
@@ -108,14 +110,16 @@ def made_up_clone(tmp_path):
 def test_a_report_of_all_results_writes_them(clone):
     above, sentences, below = re.split(r"<!-- .* -->\n", update(clone))
     assert (above, below) == ("above\n", "below\n")
-    assert sentences == "2 1 1 3D 1; 19 of 20, reproduced, 0.38 c_s/92 18 of 20; 7; 1 of 2\n"
+    assert (
+        sentences == "2 1 1 3D 1; 19 of 20, reproduced, 0.38 c_s/92 18 of 20; 7; 1 of 2; 1 of 2\n"
+    )
     rows = (clone / readme.TABLE).read_text().splitlines()
     assert [row.split(",{")[0].split(",'{")[0].split(',"{')[0] for row in rows[1:]] == [
-        '2A,finding,"later, after results",reproduced,19,20,0.5.0',
-        "3D,finding,before any,differs,,,0.5.0",
-        '1F,check,"later, after results",reproduced,,,0.5.0',
-        "choices,,,,,,0",  # `all` leaves that out
-        "near,,,,,,0.5.0",
+        '2A,finding,"later, after results",reproduced,19,20,0.5.0,0.9 to 1',
+        "3D,finding,before any,differs,,,0.5.0,reproduced",
+        '1F,check,"later, after results",reproduced,,,0.5.0,',
+        "choices,,,,,,0,",  # `all` leaves that out
+        "near,,,,,,0.5.0,",
     ]
     assert (clone / readme.PICTURE).read_text() == "Figure 2"
     spill(clone / "results/fig2/fig2.png", "another version of Matplotlib")
@@ -124,7 +128,7 @@ def test_a_report_of_all_results_writes_them(clone):
 
 
 def test_rows_without_a_verdict_are_not_counted(clone, monkeypatch):
-    rows = "2A,finding,today,,,,,{}\n3D,finding,today,differs,,,0,{}\n"
+    rows = "2A,finding,today,,,,,,{}\n3D,finding,today,differs,,,0,,{}\n"
     spill(clone / readme.TABLE, VERDICTS.partition("\n")[0] + "\n" + rows)
     text = "{findings: claims} {findings: differs}"
     monkeypatch.setattr(readme, "SENTENCES", text)

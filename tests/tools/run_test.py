@@ -56,6 +56,28 @@ def test_records_of_the_halves_are_that_of_the_whole():
         assert [t is not None for t in before] == [t is not None for t in first]
 
 
+@pytest.mark.parametrize(
+    "condition, is_true",
+    [
+        ("F_T>0.6 kN", lambda of: of("F_T") > 600),
+        ("t >= 1 or tau[4] >= 30", lambda of: of("tau")[:, 4] >= 30),
+        ("time>1 and F_T<1 or u_x[0] > 50um", lambda of: of("u_x")[:, 0] > 5e-5),
+        ("pinned_fraction[4] < 0.3 and x_drive > -1", lambda of: of("pinned")[:, 4] < 30),
+        ("t > 0.3ms and p[7] <= 220", lambda of: (of("p")[:, 7] <= 220) & (of("time") > 3e-4)),
+    ],
+)
+def test_a_condition_ends_the_run_at_the_first_sample_of_which_it_is_true(condition, is_true):
+    load = "load --config small.ini -q -o a.h5 -f --record r.h5 --record-every 1e-5 --until"
+    output_of(f"{load} 4e-4")
+    with h5py.File("r.h5") as file:
+        whole = {name: values[()] for name, values in file["series"].items()}
+    first = int(np.argmax(is_true(whole.get)))
+    assert json.loads(output_of([*load.split(), condition, "--json"]))["ending"] == "condition"
+    assert first > 0
+    for name in whole.keys() - {"x"}:
+        assert np.array_equal(dataset("r.h5", f"/series/{name}"), whole[name][: first + 1]), name
+
+
 def test_samples_are_dense_while_an_event_is_under_way():
     """From each rupture on for 5 t_R, here 0.1 ms, at the multiples of 2 us; fields as well."""
     output_of(

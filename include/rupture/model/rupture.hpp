@@ -62,8 +62,10 @@ struct EarlyEnd {
   std::optional<std::int64_t> rupture_of = {};  ///< this block ruptures
   /// Time that separates events; none: pause_between_events() [s].
   std::optional<double> quiet_time = {};
+  std::string condition = {};  ///< this holds (dynamics/condition.hpp); empty: there is none
+  double condition_every = 0;  ///< as is looked at so often [s]
 
-  bool may_come() const { return quiet_steps || spanned || rupture_of; }
+  bool may_come() const { return quiet_steps || spanned || rupture_of || !condition.empty(); }
   bool operator==(const EarlyEnd&) const = default;
 };
 

@@ -25,6 +25,8 @@ constexpr Row<std::int64_t> kQuietSteps = {"/run/quiet_steps", "1"};
 constexpr Row<double> kArrivedBelow = {"/run/arrived_below", "1"};
 constexpr Row<std::uint8_t> kUntilSpanned = {"/run/until_spanned", "1"};
 constexpr Row<std::int64_t> kUntilRuptureOf = {"/run/until_rupture_of", "1"};
+constexpr Row<std::string> kCondition = {"/run/condition", "1"};
+constexpr Row<double> kConditionEvery = {"/run/condition_every", "s"};
 
 constexpr double kNoRupture = -1.0;
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
@@ -67,6 +69,9 @@ void write_early_end(const EarlyEnd& early, Content& content) {
   if (early.spanned && !early.quiet_steps) put_truth(content, kUntilSpanned, true);
   if (early.rupture_of) put(content, kUntilRuptureOf, *early.rupture_of);
   if (early.quiet_time) put(content, kQuietTime, *early.quiet_time);
+  if (early.condition.empty()) return;
+  content[kCondition.path] = make_text(early.condition);
+  put(content, kConditionEvery, early.condition_every);
 }
 
 std::optional<double> read_if_there(const Content& content, const Row<double>& row) {
@@ -83,6 +88,10 @@ EarlyEnd read_early_end(const Content& content, const Parameters& p) {
                   (has(content, kUntilSpanned) && read_truth(content, kUntilSpanned));
   if (has(content, kUntilRuptureOf))
     early.rupture_of = read_between(content, kUntilRuptureOf, 0, p.Nx - 1);
+  if (has(content, kCondition)) {
+    early.condition = read_text(content, kCondition.path);
+    early.condition_every = value_of(content, kConditionEvery);
+  }
   return early;
 }
 
@@ -157,9 +166,9 @@ DatasetInfos run_datasets(FileKind kind) {
     return {kId,          kEvent,         kLastRupture, kRecordEvery,
             kFieldsEvery, kEveryInEvents, kQuietTime,   kEveryInSpanning};
   }
-  return {kId,           kFirstStep,    kLastBreak,     kRuptures,  kLeadingEdge,
-          kSpanned,      kEvent,        kLastRupture,   kQuietTime, kQuietSteps,
-          kArrivedBelow, kUntilSpanned, kUntilRuptureOf};
+  return {kId,           kFirstStep,    kLastBreak,      kRuptures,  kLeadingEdge,
+          kSpanned,      kEvent,        kLastRupture,    kQuietTime, kQuietSteps,
+          kArrivedBelow, kUntilSpanned, kUntilRuptureOf, kCondition, kConditionEvery};
 }
 
 }  // namespace rupture

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "cli/text.hpp"
+#include "rupture/dynamics/condition.hpp"
 #include "rupture/model/error.hpp"
 #include "rupture/model/parameters.hpp"
 #include "rupture/model/user_text.hpp"
@@ -42,8 +43,8 @@ std::string plain_number(const std::string& word, const std::string& unit) {
 template <class T>
 std::vector<std::string> plain(std::vector<std::string> words, const ValueKind& kind) {
   for (std::string& word : words) {
-    const bool along_x = std::is_same_v<T, std::string> && is_along_x(word);
-    if (kind.kind == "number" && !along_x) word = plain_number(word, kind.unit);
+    const bool is_other = kind.is_other != nullptr && kind.is_other(word);
+    if (kind.kind == "number" && !is_other) word = plain_number(word, kind.unit);
     if (kind.kind == "input file" && word.empty()) {
       refuse("needs the path of a file (got an empty name)");
     }
@@ -108,12 +109,16 @@ po::typed_value<std::vector<double>>* list_of_seconds() {
   return described<std::vector<double>>({"number", "T...", "s"})->multitoken();
 }
 
+po::typed_value<std::string>* seconds_or_condition() {
+  return described<std::string>({"number", "T/CONDITION", "s", "", false, is_condition});
+}
+
 po::typed_value<double>* number(const std::string& name, const std::string& unit) {
   return described<double>({"number", name, unit});
 }
 
 po::typed_value<std::string>* number_along_x(const std::string& name) {
-  return described<std::string>({"number", name, "1"});
+  return described<std::string>({"number", name, "1", "", false, is_along_x});
 }
 
 po::typed_value<int>* integer(const std::string& name) {

@@ -18,6 +18,7 @@ struct ValueKind {
   std::string unit = {};   ///< of numbers: SI, "1" for none
   std::string holds = {};  ///< of files, such as "record"
   bool is_in_rebuild = false;  ///< it changes what is written: the file keeps it (run/rebuild.hpp)
+  bool (*is_other)(std::string_view) = nullptr;  ///< of numbers: what may stand in their place
 };
 
 /// Values for the declarations of options; like those of po::value() they belong to their option.
@@ -25,6 +26,7 @@ struct ValueKind {
 po::typed_value<double>* seconds();
 po::typed_value<boost::optional<double>>* seconds_or(const std::string& without);  ///< or no value
 po::typed_value<std::vector<double>>* list_of_seconds();
+po::typed_value<std::string>* seconds_or_condition();  ///< dynamics/condition.hpp
 po::typed_value<double>* number(const std::string& name, const std::string& unit = "1");
 po::typed_value<std::string>* number_along_x(
     const std::string& name);  ///< or many, set_parameter()

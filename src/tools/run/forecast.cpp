@@ -101,6 +101,12 @@ std::string disk_text(const Forecast& f) {
   return text;
 }
 
+std::string end_text(const Forecast& f) {
+  const EarlyEnd& early = f.plan.rule.early;
+  const auto when = early.condition.empty() ? "" : fmt::format(", when {}", early.condition);
+  return f.at_most() ? "; the run may end earlier" + when : "";
+}
+
 /// What a longer time step buys, where one is stable.
 std::string step_text(const Parameters& p) {
   const double limit = stable_time_step(p);
@@ -132,9 +138,9 @@ std::string text_of(const Forecast& f) {
       "time     {} {}: {} of processor time per step, measured now\n"
       "{}\n",
       f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
-      f.at_most() ? "; the run may end earlier" : "", grouped(f.blocks()), grouped(f.junctions()),
-      f.plan.threads, about(f.at_most() || f.plan.in_events), disk_text(f), memory_text(f),
-      about(f.at_most()), time_text(f.time()), time_text(f.time_per_step), step_text(f.parameters));
+      end_text(f), grouped(f.blocks()), grouped(f.junctions()), f.plan.threads,
+      about(f.at_most() || f.plan.in_events), disk_text(f), memory_text(f), about(f.at_most()),
+      time_text(f.time()), time_text(f.time_per_step), step_text(f.parameters));
 }
 
 Json json_of(const Forecast& f) {

@@ -11,10 +11,8 @@ int load(const Parsed& parsed) {
   Parameters p;
   Profile(parsed).apply(p);
   validate(p);
-  const bool is_driven = !parsed.values["until"].defaulted() || may_end_early(parsed.values);
-  const double until = parsed.values["until"].defaulted() && is_driven
-                           ? kLongestRun
-                           : non_negative(parsed.values, "until");
+  const auto until = until_time(parsed.values);
+  const bool is_driven = until || may_end_early(parsed.values);
   const EarlyEnd early = early_end(parsed.values, p);
   const RunOptions options = run_options(parsed);
 
@@ -23,7 +21,9 @@ int load(const Parsed& parsed) {
                       options.is_dry ? roughly_loaded(p) : normal_load_equilibrium(p),
                       {make_provenance("load", parsed.arguments, "",
                                        rebuild_command("load", Parameters{}, p).text())}};
-  const int code = simulate(std::move(start), {steps_in(p, until), early}, options, {});
+  const int code =
+      simulate(std::move(start),
+               {steps_in(p, until.value_or(is_driven ? kLongestRun : 0.0)), early}, options, {});
   if (!is_driven) {
     options.output.say("no --until T was given: the slider is loaded, but not driven\n");
   }
@@ -40,8 +40,9 @@ constinit const Command load_command = {
     "point at speed V, and writes a checkpoint from which the run can be continued.\n"
     "At the end, prints the energy account: supplied = stored + lost to damping and junctions.",
     {[](po::options_description& options) {
-       options.add_options()("until", in_rebuild(seconds()->default_value(0.0, "0")),
-                             "stop at this time; 0: only find the equilibrium");
+       options.add_options()("until", in_rebuild(seconds_or_condition()->default_value("0")),
+                             "stop at this time, or when this condition holds, such as \"F_T > 300 "
+                             "or t > 0.5s\"; 0: only find the equilibrium");
      },
      add_early_end_options, add_profile_option, add_run_options},
     load,

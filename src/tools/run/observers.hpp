@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "run/plan.hpp"
+#include "rupture/dynamics/condition.hpp"
 #include "rupture/dynamics/guard.hpp"
 
 namespace rupture::tools {
@@ -49,6 +50,25 @@ class Recorder : public Observer {
   const bool holds_;                  // those in events: only if they span they count
   std::int64_t next_look_ = no_step;  // whether an event is under way
   std::size_t ruptures_written_ = 0;
+};
+
+/// Looks whether the condition of a run holds.
+class Watch : public Observer {
+ public:
+  explicit Watch(const RunPlan& plan)
+      : plan_(plan), next_(plan.looks->after(plan.begin.state.step - 1)) {}
+  std::int64_t next_step() const override { return next_; }
+  void observe(const Simulation& simulation) override {
+    held = condition_.what_holds(simulation);
+    next_ = plan_.looks->after(simulation.state().step);
+  }
+
+  std::string held = {};  ///< when it last looked; empty if nothing did
+
+ private:
+  const RunPlan& plan_;
+  const Condition condition_{plan_.rule.early.condition, plan_.start.parameters};
+  std::int64_t next_;
 };
 
 /// Looks at the first and last step of a run and every 5000 steps. Warnings and, with

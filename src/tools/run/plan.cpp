@@ -4,7 +4,9 @@
 
 #include "run/rebuild.hpp"
 #include "rupture/checkpoint/checksum.hpp"
+#include "rupture/dynamics/condition.hpp"
 #include "rupture/model/derived.hpp"
+#include "rupture/model/user_text.hpp"
 
 namespace rupture::tools {
 namespace {
@@ -19,6 +21,10 @@ double arrived_below(const po::variables_map& values) {
   if (limit <= kRupturedFraction) return limit;
   throw UsageError("--arrived-below must be at most {}, at which a block ruptures (got {})",
                    kRupturedFraction, limit);
+}
+
+bool has_condition(const po::variables_map& values) {
+  return values.count("until") > 0 && is_condition(values["until"].as<std::string>());
 }
 
 void refuse_without_record(const po::variables_map& values) {
@@ -96,6 +102,16 @@ void refuse_ruptured(const EarlyEnd& early, const Checkpoint& start) {
       block_position(p, *early.rupture_of), *t, now);
 }
 
+/// Such a run would end where it begins.
+void refuse_condition(const EarlyEnd& early, const Checkpoint& start) {
+  if (early.condition.empty()) return;
+  const Simulation simulation(start.parameters, start.state);
+  const std::string held = Condition(early.condition, start.parameters).what_holds(simulation);
+  if (held.empty()) return;
+  throw UsageError("--until \"{}\" is true at the start, {:.7g} s: {}; give what comes later",
+                   early.condition, simulation.time(), held);
+}
+
 }  // namespace
 
 void add_early_end_options(po::options_description& options) {
@@ -105,6 +121,8 @@ void add_early_end_options(po::options_description& options) {
   add("until-spanned", "stop as soon as an event has spanned the interface");
   add("until-rupture-at", number("X", "m"),
       "stop at the step at which the block nearest to X ruptures");
+  add("until-every", seconds(),
+      "how often to look whether the condition of --until holds; default: as --record-every");
   add("quiet-time", in_rebuild(seconds()),
       "time without ruptures that separates events; default 5 t_R");
   add("arrived-below", number("F"),
@@ -113,9 +131,15 @@ void add_early_end_options(po::options_description& options) {
       "which a block ruptures");
 }
 
+std::optional<double> until_time(const po::variables_map& values) {
+  if (values.count("until") == 0 || values["until"].defaulted()) return std::nullopt;
+  const auto time = number_in(values["until"].as<std::string>(), "s");
+  return time ? std::optional(non_negative(*time, "until")) : std::nullopt;
+}
+
 bool may_end_early(const po::variables_map& values) {
   return values.count("until-quiet") + values.count("until-spanned") +
-             values.count("until-rupture-at") >
+             values.count("until-rupture-at") + (has_condition(values) ? 1 : 0) >
          0;
 }
 
@@ -131,6 +155,14 @@ EarlyEnd early_end(const po::variables_map& values, const Parameters& p) {
   if (values.count("arrived-below") > 0) end.arrived_below = arrived_below(values);
   if (const auto x = optional_non_negative(values, "until-rupture-at")) {
     end.rupture_of = block_at(p, *x, "until-rupture-at");
+  }
+  const auto every = optional_non_negative(values, "until-every");
+  if (has_condition(values)) {
+    end.condition = values["until"].as<std::string>();
+    end.condition_every = every.value_or(non_negative(values, "record-every"));
+    Condition(end.condition, p);  // which must be one
+  } else if (every) {
+    throw UsageError("--until-every needs a condition, as in --until \"F_T < 300\": give both");
   }
   return end;
 }
@@ -204,6 +236,7 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   const Clock& clock = start.state.clock;
   start.run = run_from(p, start.state.step, start.run ? start.run->event : LatestEvent{});
   refuse_ruptured(rule.early, start);
+  refuse_condition(rule.early, start);
   start.run->id = id_of_run(start);
   RunPlan plan;
   plan.rule = rule;
@@ -215,6 +248,9 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   }
   if (options.in_spanning) {
     plan.in_events = interval(p, clock, *options.in_spanning, "record-every-in-spanning-events");
+  }
+  if (!rule.early.condition.empty()) {
+    plan.looks = interval(p, clock, rule.early.condition_every, "until-every");
   }
   if (options.fields) plan.fields_every = interval(p, clock, *options.fields, "fields");
   plan.recorded_run = {start.run->id, plan.record_every.time};

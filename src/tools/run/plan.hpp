@@ -14,6 +14,9 @@ inline constexpr double kLongestRun = 10.0;
 
 void add_early_end_options(po::options_description& options);
 bool may_end_early(const po::variables_map& values);
+/// The time that --until gives [s]; none if it was not typed, or gives a condition. Throws
+/// UsageError.
+std::optional<double> until_time(const po::variables_map& values);
 /// Throws UsageError.
 EarlyEnd early_end(const po::variables_map& values, const Parameters& parameters);
 
@@ -54,6 +57,7 @@ struct RunPlan {
   Interval record_every;                 ///< if there is a record
   std::optional<Interval> fields_every;  ///< if that has fields
   std::optional<Interval> in_events;     ///< if it is denser then, or in those that span
+  std::optional<Interval> looks;         ///< at the condition, if there is one
   Checkpoints checkpoints;               ///< on the way, that are still to come
   bool rewrites_output = false;          ///< which is there already, as this run will write it
   bool is_complete = false;              ///< and nothing is left to do

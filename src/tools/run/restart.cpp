@@ -13,12 +13,13 @@ struct RunEnd {
 
 void add_restart_options(po::options_description& options) {
   auto add = options.add_options();
-  add("until", in_rebuild(seconds()), "run until this time");
+  add("until", in_rebuild(seconds_or_condition()),
+      "run until this time, or until this condition holds, such as \"F_T < 300 or t > 0.5s\"");
   add("for", seconds(), "run for this long");
 }
 
 RunEnd run_end(const po::variables_map& values) {
-  const RunEnd end = {optional_non_negative(values, "until"), optional_non_negative(values, "for")};
+  const RunEnd end = {until_time(values), optional_non_negative(values, "for")};
   if (end.until && end.duration) {
     throw UsageError("--until and --for cannot be combined: give one of them");
   }

@@ -24,7 +24,8 @@ bool is_beyond_end(const Checkpoint& checkpoint, const StopRule& rule) {
   if (step > rule.last_step) return true;
   if (!early.may_come()) return false;
   if (run.event.first.empty() || (early.spanned && run.spanned)) return true;
-  const bool may_have_ended = early.rupture_of || checkpoint.parameters.V == 0.0;  // at rest
+  const bool may_rest = checkpoint.parameters.V == 0.0;
+  const bool may_have_ended = early.rupture_of || !early.condition.empty() || may_rest;
   if (may_have_ended && run.early != early) return true;
   if (!early.quiet_steps) return false;
   const std::int64_t quiet_from = run.last_break + *early.quiet_steps;
@@ -187,19 +188,29 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& pa
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }
 
+/// True if the run looks at its condition here, and it holds.
+bool condition_holds(const Checkpoint& checkpoint, const RunPlan& plan) {
+  const std::int64_t step = checkpoint.state.step;
+  if (!plan.looks || plan.looks->last_until(step) != step) return false;
+  const Parameters& p = checkpoint.parameters;
+  return !Condition(plan.rule.early.condition, p).what_holds({p, checkpoint.state}).empty();
+}
+
 /// True if the run that begins with `start` ends at this checkpoint of it. Of a run that may end
 /// early that is only known if it was to end by the same rule.
-bool is_end(const Checkpoint& checkpoint, const StopRule& rule) {
+bool is_end(const Checkpoint& checkpoint, const RunPlan& plan) {
+  const StopRule& rule = plan.rule;
   const RunSoFar& run = *checkpoint.run;
   return checkpoint.state.step <= rule.last_step &&
-         ending_at(checkpoint.state, run, rule).has_value() &&
+         (ending_at(checkpoint.state, run, rule).has_value() ||
+          condition_holds(checkpoint, plan)) &&
          (!rule.early.may_come() || run.early == rule.early);
 }
 
 /// True if the run goes through this checkpoint, which it wrote at its end or on its way.
 bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const RunPlan& plan) {
   if (!is_of_run(checkpoint, plan.start)) return false;
-  if (path == plan.options.output.output) return is_end(checkpoint, plan.rule);
+  if (path == plan.options.output.output) return is_end(checkpoint, plan);
   return !is_beyond_end(checkpoint, plan.rule);
 }
 

@@ -15,6 +15,7 @@ using std::chrono::steady_clock;
 
 struct RunSummary {
   std::string ending;                   ///< in the words of kEndings, or "complete"
+  std::string held = {};                ///< the part of the condition that ended it
   double time = 0.0;                    ///< simulated, at the end [s]
   std::int64_t steps = 0;               ///< taken now, as is all that follows
   double simulated_time = 0.0;          ///< [s]
@@ -35,9 +36,11 @@ Quantities quantities_of(const RunSummary& s) {
   };
   const Quantities rows = {
       {"ending", "",
-       "end, quiet, spanned (an event did), ruptured (the block did), rest (nothing more will "
-       "rupture), interrupted, or complete (nothing was left to do)",
+       "end, quiet, spanned (an event did), ruptured (the block did), condition (that of --until "
+       "held), rest (nothing more will rupture), interrupted, or complete (nothing was left to do)",
        s.ending},
+      {"held", "", "the part of the condition of --until that held, with its values",
+       if_known(!s.held.empty(), s.held)},
       {"time", "s", "simulated time at the end", s.time},
       {"steps", "1", "time steps taken", s.steps},
       {"simulated_time", "s", "simulated time of these steps", s.simulated_time},
@@ -52,11 +55,12 @@ Quantities quantities_of(const RunSummary& s) {
 }
 
 /// How a run ended, in JSON and in the text, in the order of Ending.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kEndings = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kEndings = {
     {{"end", "end of the run"},
      {"quiet", "no more junctions broke"},
      {"spanned", "an event spanned the interface"},
      {"ruptured", "the block ruptured"},
+     {"condition", ""},  // what held, instead
      {"rest", "at rest: the drive stands still, and nothing more will rupture"},
      {"interrupted", "interrupted"}}};
 
@@ -109,6 +113,7 @@ class Run : private Observer {
         simulation_(begin_.parameters, begin_.state, plan.threads, plan.options.crossings),
         alarms_(plan, simulation_) {  // they know nothing of the run so far
     simulation_.resume_from(*begin_.run);
+    if (plan.looks) watch_.emplace(plan);
     if (!plan.options.record) return;
     const RecordParts parts = {plan.options.crossings,
                                plan.fields_every ? Fields::record : Fields::omit, plan.recorded_run,
@@ -153,6 +158,7 @@ class Run : private Observer {
   Alarms alarms_;
   std::optional<RecordWriter> writer_;
   std::optional<Recorder> recorder_;
+  std::optional<Watch> watch_;
   Checkpoints::const_iterator next_ = plan_.checkpoints.begin();
 };
 
@@ -161,10 +167,12 @@ Ending Run::observed() {
   Progress progress(plan_);
   std::vector<Observer*> observers = {&alarms_};
   if (recorder_) observers.push_back(&*recorder_);
+  if (watch_) observers.push_back(&*watch_);
   observers.push_back(this);
   if (!output_.is_quiet) observers.push_back(&progress);
   StopRule rule = plan_.rule;
   rule.interrupted = [] { return interruption() != 0; };
+  if (watch_) rule.condition_holds = [this] { return !watch_->held.empty(); };
   const Ending ending = run(simulation_, rule, observers);
   alarms_.observe(simulation_);
   return ending;
@@ -177,13 +185,14 @@ Ending Run::go() {
     const Ending ending = observed();
     const auto& [in_json, in_text] = kEndings.at(static_cast<std::size_t>(ending));
     summary_.ending = in_json;
+    if (ending == Ending::condition) summary_.held = watch_->held;
     summary_.time = simulation_.time();
     summary_.steps = simulation_.state().step - begin_.state.step;
     summary_.simulated_time = summary_.time - time(begin_.parameters, begin_.state);
     summary_.wall_time = std::chrono::duration<double>(steady_clock::now() - begin).count();
     summary_.energy = energy_balance(before, simulation_.energies(), simulation_.work());
     summary_.run = simulation_.run();
-    say_invariants(output_, in_text, summary_);
+    say_invariants(output_, summary_.held.empty() ? in_text : summary_.held, summary_);
     announce(summary_.files, output_);
     return ending;
   } catch (...) {

@@ -59,8 +59,10 @@ TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {
                  .early = {.quiet_steps = 500, .spanned = true, .arrived_below = 0.25}};
   EXPECT_EQ(write(written), without) << "it is no part of the content that is checksummed";
   EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
-  for (const EarlyEnd& early :
-       {EarlyEnd{}, {.spanned = true}, {.rupture_of = 4}, {.quiet_time = 0.02}}) {
+  for (const EarlyEnd& early : {EarlyEnd{},
+                                {.spanned = true},
+                                {.rupture_of = 4},
+                                {.quiet_time = 0.02, .condition = "t", .condition_every = 2}}) {
     written.run->early = early;
     write(written);
     EXPECT_EQ(read_checkpoint(file("x.h5")).run, written.run);
