@@ -50,8 +50,8 @@ class RecordWriter {
   /// it stays in memory, or from kMostHeld on apart in the .part file. With
   /// RecordedRun::every_in_spanning_events only.
   void hold(const Sample& sample);
-  void event_spans();  ///< the one that is under way
-  void no_event();     ///< is under way
+  void event_spans() { keeps_held_ = true; }  ///< the one that is under way
+  void no_event();                            ///< is under way
 
   /// Brings everything appended and held so far to the .part file.
   void flush();

@@ -152,10 +152,6 @@ void RecordWriter::hold(const Sample& sample) {
   flush_if_full();
 }
 
-void RecordWriter::event_spans() {
-  keeps_held_ = true;
-}
-
 void RecordWriter::no_event() {
   if (std::exchange(keeps_held_, false)) return flush();
   clear(held_);

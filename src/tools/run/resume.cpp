@@ -156,16 +156,16 @@ bool have_spanning_events(const Content& rows, const Checkpoint& checkpoint, boo
   const double quiet = quiet_time(p, run.early), now = time(p, checkpoint.state);
   const bool may_span = !at_end && checkpoint.run->event.is_under_way(now, quiet);
   const auto events = which_span(p, std::move(run), ruptures);
-  const auto sampled = sampled_steps(rows, kSeriesSteps), held = sampled_steps(rows, kHeldSteps);
-  std::set<std::int64_t> regular = steps_at(plan.record_every, checkpoint, at_end);
-  std::set<std::int64_t> have(sampled.begin(), sampled.end()), wanted = regular, kept = regular;
-  for (const std::int64_t step : steps_in_events(ruptures, checkpoint, plan)) {
-    const bool spans = is_in_spanning_event(events, step);
-    if (spans) kept.insert(step);
-    if (spans || (may_span && step >= events.rbegin()->first)) wanted.insert(step);
+  std::set<std::int64_t> have, wanted = steps_at(plan.record_every, checkpoint, at_end);
+  for (const std::int64_t step : sampled_steps(rows, kSeriesSteps)) {
+    if (!wanted.contains(step) && !is_in_spanning_event(events, step)) return false;
+    have.insert(step);
   }
-  if (!std::ranges::includes(kept, have)) return false;
-  have.insert(held.begin(), held.end());
+  for (const std::int64_t step : sampled_steps(rows, kHeldSteps)) have.insert(step);
+  for (const std::int64_t step : steps_in_events(ruptures, checkpoint, plan)) {
+    const bool is_of_last = may_span && step >= events.rbegin()->first;
+    if (is_of_last || is_in_spanning_event(events, step)) wanted.insert(step);
+  }
   return std::ranges::includes(have, wanted);
 }
 
