@@ -20,7 +20,7 @@ file(STRINGS packages.txt _rows REGEX "^run ")
 list(TRANSFORM _rows REPLACE "^run +| *#.*" "")
 list(JOIN _rows ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 # For films, tables and labelled arrays; to compile programs against the library.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, python3-pandas, python3-xarray")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, python3-pandas")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
     "python3-h5netcdf, paraview, g++, cmake, libeigen3-dev, libhdf5-dev, libfmt-dev, libssl-dev")
 

@@ -13,15 +13,17 @@ from collections.abc import Mapping
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import h5py
 import numpy as np
 
 from rupture import tables
 from rupture.elasticity import POISSON
-from rupture.envelope import CHECKPOINT, PART, RECORD, check_seal, joined, mapped
+from rupture.envelope import CHECKPOINT, PART, check_seal, kind_of, mapped
 from rupture.errors import Failure, NoSuchName
 from rupture.layout import WORDS, Content
+from rupture.programs import output_of
 from rupture.tables import text
 
 Ruptures = namedtuple("Ruptures", "time step block x")
@@ -65,7 +67,7 @@ class File(Mapping):
     """
 
     home: str  # the group whose datasets need no group in their name
-    dimensions: dict  # names of the dimensions, by group
+    axes: tuple  # the dimensions of most arrays of this group
 
     def __init__(self, path, file, content):
         self.path = Path(os.fsdecode(path))
@@ -180,8 +182,8 @@ class File(Mapping):
 
     @property
     def checksum(self):
-        """The content checksum that the file states; `rupture.verify()` recomputes it. It is
-        empty for an unfinished record."""
+        """The content checksum that the file states; `rupture.verify()` recomputes it. That of an
+        unfinished record is of what has been written so far."""
         return text(self.file.attrs.get("content_checksum", ""))
 
     @property
@@ -214,18 +216,9 @@ class File(Mapping):
         simplified = self.parameters["junctions.law"] == "simplified"
         return 1 if simplified else self.parameters["junctions.N_s"]
 
-    def to_xarray(self):
-        """An xarray.Dataset with named dimensions and positions. Units and long names are
-        attributes of the arrays, parameters, checksum and provenance (as JSON) those of the whole.
-
-        >>> record.to_xarray()["tau"].dims
-        ('time', 'x')
-        """
-        return tables.to_xarray(self)
-
     def to_dataframe(self):
         """A pandas.DataFrame: a row for each sample and block of a record, or for each block of a
-        checkpoint. Arrays of other dimensions are in `to_xarray()`.
+        checkpoint. Arrays of other dimensions are left out.
 
         >>> record.to_dataframe().index.names
         FrozenList(['time', 'x'])
@@ -246,7 +239,7 @@ class Checkpoint(File):
     """
 
     home = "state"
-    dimensions = {"state": ("z", "x"), "state/junctions": ("x", "junction")}
+    axes = ("z", "x")
 
     @property
     def time(self):
@@ -272,22 +265,13 @@ class Record(File):
     """
 
     home = "series"
-    dimensions = {
-        "series": ("time", "x"),
-        "ruptures": ("rupture",),
-        "crossings": ("crossing",),
-        "fields": ("field_time", "z", "x"),
-    }
+    finished = True  # False for a `.part`, of a run that is in progress or was interrupted
+    axes = ("time", "x")
 
     @property
     def time(self):
         """Times of the samples [s]."""
         return self["time"]
-
-    @property
-    def finished(self):
-        """False for a `.part`, the record of a run that is in progress or was interrupted."""
-        return text(self.file.attrs["format"]) == RECORD
 
     @property
     def ruptures(self):
@@ -324,10 +308,19 @@ def open_file(path):
     0.002
     """
     data = mapped(path)
-    kind = check_seal(data, path)
+    if (kind := kind_of(data, path)) == PART:
+        return open_part(path)
+    check_seal(data, path)
     with reading(path):
-        if kind == PART:
-            return Record(path, *joined(data, path))
         file = h5py.File(Unlocked(io.FileIO(path)), "r")
         content = Content(file, path, kind, len(data))
         return (Checkpoint if kind == CHECKPOINT else Record)(path, file, content)
+
+
+def open_part(path):
+    """The record that `rupture finish` makes of it, which nobody else sees."""
+    with TemporaryDirectory() as folder:
+        output_of("finish", "--quiet", "-o", f"{folder}/record.h5", "--", path)
+        record = open_file(f"{folder}/record.h5")
+    record.path, record.finished = Path(path), False
+    return record

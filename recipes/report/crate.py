@@ -5,7 +5,6 @@ versions, commands and times as RO-Crate 1.1 (https://w3id.org/ro/crate/1.1). Pa
 results/, so that the folder may be copied alone. Equal results give equal texts, except for dates.
 """
 
-import configparser
 import json
 import sys
 import time
@@ -21,9 +20,8 @@ from claims.recipes import paper_of, read_readme, recipe_names
 from claims.released import version_of
 from claims.table import read
 from report.jobs import JOBS, builds_of, files_of, read_jobs
-from report.machine import RUNS
 from report.written import intact, is_intact, leave_out, seal, take, written
-from rupture.commands.folder import read_own, sha256_of
+from rupture.commands.folder import sha256_of
 from rupture.commands.store import place_of
 from rupture.errors import Failure
 from rupture.replacing import write_whole
@@ -38,10 +36,9 @@ FORMATS.types_map[True][".jsonl"] = "application/jsonl"
 # What files are that hold times, and so have no checksum here.
 WITH_TIMES = {
     "index.html": "All figures and claims on one page",
-    RUNS: "Each call of ./reproduce.sh: recipes, cores, start and time",
     JOBS: "Each command behind the results: its words, inputs, checksums, start and time",
 }
-OF_THE_RUN = ("index.html", RUNS, "numbers.csv", "claims.pdf", "claims.png")
+OF_THE_RUN = ("index.html", "numbers.csv", "claims.pdf", "claims.png")
 
 
 def entity(identity, kind, **properties):
@@ -128,21 +125,13 @@ def whole_file(results, path):
 
 
 def described(root, name):
-    """Title, commands, and what one types: of a recipe, or of a user's sweep."""
+    """Title, commands, and what one types: of a recipe, or of a user's sweep, whose file has the
+    commands."""
     if not name.startswith("sweeps/"):
         readme = read_readme(root / "recipes" / name / "README.md")
         return readme.title, readme.commands, f"./reproduce.sh {name}"
     stem = name.removeprefix("sweeps/")
-    ini = configparser.RawConfigParser(delimiters="=", inline_comment_prefixes="#;")
-    ini.optionxform = str  # type: ignore[method-assign, assignment]  # names are case-sensitive
-    path = root / "results" / name / f"{stem}.ini"
-    try:
-        ini.read_string(read_own(path).decode())
-        lines = [f"{key} = {line}" for key, line in ini["commands"].items()]
-    except (OSError, ValueError, KeyError, configparser.Error) as error:
-        raise Failure(f"{path} is no sweep ({error})") from error
-    title = ini.get("sweep", "title", fallback=stem)
-    return title, "\n".join(lines), f"./reproduce.sh sweep {stem}.ini"
+    return f"Sweep {stem}", "", f"./reproduce.sh sweep {stem}.ini"
 
 
 def checkpoints_of(results, jobs):

@@ -6,7 +6,6 @@ import re
 from collections import Counter
 
 from claims.recipes import RECIPES
-from report.machine import is_moment
 from rupture.commands.folder import parsed, read_own
 from rupture.commands.identity import Made
 from rupture.commands.script import with_sources
@@ -15,6 +14,11 @@ from rupture.errors import Failure
 from rupture.replacing import write_whole
 
 JOBS = "jobs.jsonl"
+
+
+def is_moment(value):
+    """Seconds since 1970, or between two moments."""
+    return isinstance(value, (int, float)) and 0 <= value < 1e11
 
 
 JOB = {"id": re.compile("[0-9a-f]+"), "command": str, "inputs?": {"": str}, "build?": str}
@@ -53,29 +57,9 @@ def read_jobs(folder):
         raise Failure(f"{path} is not a list of commands ({error})") from error
 
 
-def step_of(job):
-    """analyze front, restart; a function in Python."""
-    words = job["command"].removeprefix("rupture ").split()
-    if words[:1] == ["#"]:  # in Python: MODULE.FUNCTION
-        return "".join(words[3:4])
-    return " ".join(words[: 2 if words[:1] == ["analyze"] else 1])
-
-
-def steps(jobs):
-    """{what they do: jobs}, in the order in which it came first."""
-    found: dict[str, list] = {}
-    for job in jobs:
-        found.setdefault(step_of(job), []).append(job)
-    return found
-
-
 def builds_of(jobs):
     """How many of the commands each build of the programs has done."""
     return Counter(job["build"] for job in jobs if "build" in job).most_common()
-
-
-def seconds_of(jobs):
-    return sum(job.get("seconds", 0) for job in jobs)
 
 
 def files_of(jobs):

@@ -4,7 +4,6 @@
 import os
 import struct
 import sys
-import time
 from collections import Counter
 from pathlib import Path
 
@@ -21,7 +20,6 @@ from report.readme import update_readme, write_numbers
 from report.crate import CRATE, write_crate
 from report.glance import SEEN, draw_glance
 from report import jobs as of_jobs
-from report import machine
 from claims.recipes import label, natural, paper_of, read_readme, recipe_names
 from rupture.errors import Failure
 from report.written import intact, leave_out, seal, take, written
@@ -30,8 +28,6 @@ from report.symbols import typeset
 HERE = Path(__file__).resolve().parent
 GLANCE = ("claims.png", "claims.pdf")
 WRITTEN = ("index.html", "numbers.csv", *GLANCE)
-MANY = 12  # commands of a step, beyond which only their number is of interest
-MANY_SUMS = 100  # checksums
 COMMANDS = "commands.sh"  # all of a recipe, by hand
 MOVIE = "fig2/movie.gif"  # of a slow front; the page begins with it
 
@@ -78,7 +74,6 @@ class Recipe:
         self.tables = [path.name for path in first_own(paths) if path.suffix == ".csv"]
         self.accounts = [name for name in (COMMANDS, of_jobs.JOBS) if name in self.files]
         self.jobs = of_jobs.read_jobs(folder)
-        self.sums = of_jobs.files_of(self.jobs)
 
 
 def check_listed(path, claims, rows):
@@ -102,13 +97,6 @@ def shown_of(root, names):
         with leave_out(name):
             found.append(Recipe(root, name, [Path(one).name for one in names]))
     return found
-
-
-def duration(seconds):
-    if seconds < 10:
-        return f"{seconds:.1f} s"
-    minutes, rest = divmod(round(seconds), 60)
-    return f"{minutes} min {rest} s" if minutes > 1 else f"{60 * minutes + rest} s"
 
 
 def glance_picture(results, claims):
@@ -167,12 +155,7 @@ def contents(root, paper):
         and MOVIE,
         "glance": glance_picture(results, claims),
         "verdicts": as_html(verdicts, shown),
-        "jobs": jobs,
-        "last": max((job.get("started", 0) for job in jobs), default=0),
-        "run": machine.last_run(root, jobs),
         "builds": builds,
-        "build": machine.present_build(),
-        "processor": machine.processor(),
     }
 
 
@@ -185,14 +168,9 @@ def render(content):
         lstrip_blocks=True,
     )
     environment.filters.update(
-        date=lambda moment: time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(moment)),
-        duration=duration,
         number=number,
-        seconds_of=of_jobs.seconds_of,
-        steps=of_jobs.steps,
         typeset=typeset,
     )
-    environment.globals.update(MANY=MANY, MANY_SUMS=MANY_SUMS)
     return environment.get_template("page.html.j2").render(content)
 
 

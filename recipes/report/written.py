@@ -85,14 +85,10 @@ def refuse_others(results, *paths):
             )
 
 
-def note(results, *paths):
-    append(results, {name: UNKNOWN for name in names_of(results, paths)})
-
-
 def take(results, *paths):
     """Call it before files are written. Raises Failure if others are there."""
     refuse_others(results, *paths)
-    note(results, *paths)
+    append(results, dict.fromkeys(names_of(results, paths), UNKNOWN))
 
 
 def seal(results, *paths):

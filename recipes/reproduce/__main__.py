@@ -39,7 +39,6 @@ RUN: dict[str, Callable] = {
     "test": checks.run_tests,
     "test-slurm": checks.test_slurm,
     "check": checks.check_sources,
-    "tidy": checks.tidy_sources,
     "clean": clean,
 }
 

@@ -1,4 +1,4 @@
-"""Tests of the programs, and checks of the sources: ./reproduce.sh test, check, tidy."""
+"""Tests of the programs, and checks of the sources: ./reproduce.sh test and check."""
 
 import json
 import os
@@ -40,10 +40,6 @@ CHECKS = {
     " verdict is not as it was frozen (docs/frozen.md).",
     f"! grep -rnif .phrases {TEXTS}": "The lines above are not plain English (.phrases).",
 }
-TIDY = (
-    "find src -name '*.cpp' | sort | xargs -P $0 -n 1 clang-tidy -p build/check --quiet"
-    " 2> >(grep -v ' warnings\\? ' >&2)"
-)
 
 
 def run_ctest(processes, preset, log, cores):
@@ -53,20 +49,9 @@ def run_ctest(processes, preset, log, cores):
     return processes.run([*command.split(), log.absolute()])
 
 
-def slowest_tests(log):
-    """The ten tests in ctest's log that took longest [s], longest first."""
-    took = re.findall(r"Test +#\d+: (\S+) \.*.*? ([\d.]+) sec$", log, re.MULTILINE)
-    return sorted(((float(seconds), name) for name, seconds in took), reverse=True)[:10]
-
-
 def run_tests(request, processes):
     set_up(processes, "build", request.cores, "all", "run", "test")
-    code = run_ctest(processes, "release", log := LOGS / "test.log", request.cores)
-    if log.exists():
-        say("\nThe slowest tests:")
-        for seconds, name in slowest_tests(log.read_text()):
-            say(f"  {seconds:6.1f} s  {name}")
-    return code
+    return run_ctest(processes, "release", LOGS / "test.log", request.cores)
 
 
 def test_slurm(request, processes):
@@ -132,12 +117,3 @@ def check_sources(request, processes):
             raise Failure(sentence)
     compile_each_alone(request, processes)
     say("No problems were found in the sources.")
-
-
-def tidy_sources(request, processes):
-    """The counts of what clang-tidy found in the headers of libraries are left out."""
-    ensure_packages(processes, "build", "run", "check")
-    set_up(processes, "configure", "check")
-    if processes.run(["bash", "-c", TIDY, str(request.cores)]):
-        raise Failure("clang-tidy reported the problems above (.clang-tidy lists exceptions).")
-    say("clang-tidy found no problems in the sources.")

@@ -55,10 +55,9 @@ def own_folders():
 
 
 def own_links():
-    """The links through which recipes of `rupture reproduce` find their files, then the locks, that
-    of this run last."""
+    """The links through which recipes of `rupture reproduce` find their files, then locks."""
     links = [OWN / name for name in ("results", *READ)] if WORK else []
-    locks = [BUILD / f".{name}" for name in ("lock-of-programs", "lock")]
+    locks = [BUILD / ".lock-of-programs", BUILD / ".lock"]  # one of 0.5, and that of this run
     return [*filter(os.path.islink, links), *filter(os.path.lexists, locks)]
 
 

@@ -31,7 +31,6 @@ if not WORK:
         "test": "build and run the tests",
         "test-slurm": "install SLURM, start it on this machine and test with it (some minutes)",
         "check": "check the sources: formatters, linters, spelling",
-        "tidy": "check the sources with clang-tidy (some minutes)",
     }
 
 

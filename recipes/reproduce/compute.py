@@ -1,25 +1,20 @@
 """Figures and their report: ./reproduce.sh fig3, all, report."""
 
-import json
-import os
 import sys
 import time
 import traceback
 from contextlib import suppress
-from pathlib import Path
 
 from claims.print_claims import print_claims
 from claims.recipes import recipe_names
 from claims.table import samples_from
-from report.machine import RUNS, runs_of
-from report.written import check, hold, is_intact, refuse_others, seal, take, written
+from report.written import check, hold, is_intact, refuse_others, written
 from reproduce.project import BESIDE_ALL, LOGS, RESULTS, ROOT, SHARE, STORE, complain
 from reproduce.project import say, use_own_environment
 from reproduce.processes import ensure_packages, set_up
 from reproduce.stamps import is_current as is_made
 from rupture import once
 from rupture.errors import Failure, is_of_machine
-from rupture.replacing import write_whole
 from rupture.tools.command_line import plural
 
 
@@ -96,11 +91,11 @@ def reproduce(request, processes):
     """Computes the named recipes, or all and their report."""
     begun = time.monotonic()
     prepare(request, processes)
-    named, started = named_in(request), time.time()
+    named = named_in(request)
     names = " ".join(named)
     making = once.use(STORE, request.given, dry_run=False)
-    place = f"with {plural(making.pool.cores, 'core')}{making.executor.where}"
-    say(f"Computing {names} {place} ...")
+    cores = plural(making.pool.cores, "core")
+    say(f"Computing {names} with {cores}{making.executor.where} ...")
     try:
         if request.from_scratch:
             from reproduce.recipes import check_from_scratch
@@ -116,7 +111,6 @@ def reproduce(request, processes):
     if has_failed:
         what = "not all figures could be" if request.command == "all" else f"{names} could not be"
         raise Failure(f"{what} computed; the messages above say why")
-    note_run(named, place, started)
     for name in named:
         print_claims(name, RESULTS.resolve(), ROOT)
     is_all = request.command == "all"
@@ -126,21 +120,10 @@ def reproduce(request, processes):
     return code
 
 
-def note_run(recipes, place, started):
-    """Notes for the report which recipes ran, with how many cores, when, and for how long."""
-    run = {"recipes": " ".join(recipes), "where": place, "started": int(started)}
-    run["seconds"] = int(time.time() - started)
-    lines = [json.dumps(each) for each in (*runs_of(RESULTS), run)]
-    take(RESULTS, RESULTS / RUNS)
-    write_whole(RESULTS / RUNS, "\n".join(lines) + "\n")
-    seal(RESULTS, RESULTS / RUNS)
-
-
 def is_current(path):
     """Whether a description of the results is newer than all jobs, texts and scripts behind it."""
     scripts = (one for one in (ROOT / "recipes").rglob("*") if one.suffix != ".pyc")
     texts = [ROOT / "CITATION.cff", *(ROOT / "docs").glob("*.md")]
-    texts.append(Path(os.environ["RUPTURE_BIN"], "load"))
     of_recipes = (RESULTS / name for name in recipe_names(SHARE))
     shown = [
         *RESULTS.glob("sweeps/*/*"),

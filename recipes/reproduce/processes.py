@@ -1,8 +1,8 @@
 """Starts programs for ./reproduce.sh, and leaves none of them running.
 
 Each has a process group of its own. A signal to ./reproduce.sh is passed on to the group; if
-./reproduce.sh was killed, the program gets one from the system. The programs hold a lock of their
-own, so the next call can wait for their end."""
+./reproduce.sh was killed, the program gets one from the system. The programs hold its lock, too, so
+the next call begins when they have ended."""
 
 import fcntl
 import os
@@ -14,11 +14,10 @@ from pathlib import Path
 
 from rupture.errors import Failure
 from rupture.replacing import ENDING
-from reproduce.project import LOGS, ROOT, WORK, complain, say
+from reproduce.project import LOGS, ROOT, WORK, complain
 
+LOCK = "build/.lock"
 SET_UP = Path(__file__).with_name("set-up.sh")
-FOLLOWED: dict = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-FOLLOWED |= {"text": True, "errors": "replace"}
 
 
 def end_group(group, number):
@@ -26,15 +25,15 @@ def end_group(group, number):
         os.killpg(group, number)
 
 
-def open_lock(name):
+def open_lock():
     try:
         LOGS.mkdir(parents=True, exist_ok=True)
-        return os.open(f"build/.{name}", os.O_RDWR | os.O_CREAT, 0o666)
+        return os.open(LOCK, os.O_RDWR | os.O_CREAT, 0o666)
     except OSError as error:
         raise Failure(f"{ROOT}/build cannot be written ({error.strerror}).") from None
 
 
-def take_lock(lock, name):
+def take_lock(lock):
     """Fails for a lock that `clean` has deleted meanwhile, because the next run takes another."""
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -42,8 +41,7 @@ def take_lock(lock, name):
         return False
     except OSError as error:  # of some shared file systems
         complain(f"cannot lock this folder ({error.strerror}): do not start a second run in it.")
-    path = f"build/.{name}"
-    return os.path.exists(path) and os.path.samefile(path, lock)
+    return os.path.exists(LOCK) and os.path.samefile(LOCK, lock)
 
 
 class Processes:
@@ -54,17 +52,13 @@ class Processes:
         self.is_starting = False
         self.received = None
         self.ending = signal.SIGINT  # the signal that the group then gets
-        self.turn = open_lock("lock")  # it ends with this process
-        self.has_turn = take_lock(self.turn, "lock")
-        self.lock = open_lock("lock-of-programs")  # they inherit it
+        self.lock = open_lock()  # it ends with this process, and with programs, which inherit it
+        self.has_turn = take_lock(self.lock)
         for number in ENDING:
             if signal.getsignal(number) != signal.SIG_IGN:  # nohup
                 signal.signal(number, self.receive)
         if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # in the background of a script
             signal.signal(signal.SIGINT, lambda *_: None)  # but what is started must not ignore it
-        if self.has_turn and not take_lock(self.lock, "lock-of-programs"):
-            say("Waiting for programs of an earlier run, which was killed, to end ...")
-            fcntl.flock(self.lock, fcntl.LOCK_EX)
 
     def receive(self, number, _):
         """The first signal lets programs save what they have; the next one ends them."""
@@ -75,22 +69,19 @@ class Processes:
         elif not self.is_starting:  # else run() will see it
             sys.exit(128 + self.received)
 
-    def run(self, command, follow=None):
-        """Runs a program and returns its exit code. `follow` gets the lines that it prints. Of a
-        program that fails, processes that it leaves running are ended."""
+    def run(self, command):
+        """Runs a program and returns its exit code. Of a program that fails, processes that it
+        leaves running are ended."""
         self.is_starting = True
         process = subprocess.Popen(
             ["setpriv", "--pdeathsig", "INT", *map(str, command)],  # gets a signal if we are killed
             stdin=subprocess.DEVNULL,
             start_new_session=True,
             pass_fds=[self.lock],
-            **(FOLLOWED if follow else {}),
         )
         self.group, self.is_starting = process.pid, False
         if self.received:
             end_group(process.pid, self.ending)
-        if follow:
-            follow(line.rstrip("\n") for line in process.stdout or ())
         code = process.wait()
         self.group = None
         if self.received:

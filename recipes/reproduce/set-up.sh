@@ -4,7 +4,7 @@
 #   set-up.sh packages PURPOSE...               those that packages.txt names for these purposes
 #   set-up.sh python COMMAND...                 those to begin a command where Python is missing
 #   set-up.sh build CORES TARGET [PURPOSE...]   a target of the release build; first the packages that
-#                                               it needs, and meanwhile those for these purposes
+#                                               it needs, and those for these purposes
 #   set-up.sh configure PRESET
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -77,13 +77,11 @@ ensure_packages() {
   fi
 }
 
-# Root gets the rest while the programs are compiled; others are told at once of all they need.
+# All that the command needs.
 ensure_python() {
-  local words=" $* " purposes=(build)
+  local words=" $* "
   words=${words/ test-slurm / slurm }
-  words=${words/ tidy / check }
-  ((EUID == 0)) || purposes+=(run "$words")  # other words are no purposes
-  ensure_packages "${purposes[@]}"
+  ensure_packages build run "$words"  # other words are no purposes
 }
 
 # --- building ------------------------------------------------------------------------------
@@ -108,20 +106,12 @@ say_building() {
   said=yes
 }
 
-# On a terminal in one line that changes, elsewhere in a line for each tenth. Bash does not wait for
-# more lines than one, as Debian's awk does.
 show_progress() {
-  local line percent tenth=0 before='' after=$'\n'
-  [[ ! -t 1 ]] || before=$'\r' after=''
+  local line
   while IFS= read -r line; do
-    [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (Building|Linking) ]] || continue
-    say_building
-    percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2]))
-    [[ -n $after ]] && ((percent / 10 == tenth)) && continue
-    tenth=$((percent / 10))
-    printf '%s  %d %%%s' "$before" "$percent" "$after"
+    [[ $line =~ ^\[[0-9]+/[0-9]+\]\ (Building|Linking) ]] && say_building
   done
-  [[ -n $after || -z ${said-} ]] || echo
+  return 0
 }
 
 run_build() {
@@ -142,26 +132,14 @@ build() {
   }
 }
 
-# An installation that has begun is waited for, even if the build fails.
-build_while_installing() {
-  local cores=$1 target=$2 installation='' status=0
-  shift 2
-  if ((EUID == 0)) && command -v apt-get >/dev/null; then
-    ensure_packages build
-    ensure_packages "$@" &
-    installation=$!
-  else
-    ensure_packages build "$@"  # one sentence names all that is missing
-  fi
-  (build "$cores" "$target") || status=$?
-  [[ -z $installation ]] || wait "$installation" || status=$?
-  return "$status"
-}
-
 mkdir -p "$logs"
 case $1 in
   packages) shift && ensure_packages "$@" ;;
   python) shift && ensure_python "$@" ;;
   configure) configure "$2" ;;
-  build) shift && build_while_installing "$@" ;;
+  build)
+    shift
+    ensure_packages build "${@:3}"
+    build "$1" "$2"
+    ;;
 esac

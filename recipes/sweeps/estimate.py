@@ -5,6 +5,7 @@ import time
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from random import Random
 from tempfile import TemporaryDirectory
 
 from rupture.commands.code import path_of
@@ -14,18 +15,7 @@ from sweeps.points import most_said
 from sweeps.words import without_time
 
 RUNS = ("load", "restart")  # they have --dry-run; other programs take no time
-WHOLE = 8  # points, of which all runs are estimated
-LONGEST = 30.0  # [s] for the first commands of others
-
-
-def spread(points):
-    """All of them; any number of the first ones are far apart."""
-    step = 1 << len(points).bit_length()
-    order: list[int] = []
-    while step:
-        order += range(0, len(points), step)
-        step //= 2
-    return [points[number] for number in dict.fromkeys(order)]
+LONGEST = 30.0  # [s]
 
 
 class Estimate:
@@ -40,34 +30,26 @@ class Estimate:
         self.needs, self.unknown = [], set()
 
     def ask(self, points):
-        points = spread(points)
+        """In an order in which the first ones, if there is no time for others, are of all kinds."""
         with ThreadPoolExecutor(self.executor.cores) as pool:
-            list(pool.map(self.ask_all, points[:WHOLE]))
-            list(pool.map(self.ask_first, points[WHOLE:]))
+            list(pool.map(self.ask_about, Random(1).sample(points, len(points))))
 
-    def ask_all(self, point):
-        need: Counter[str] = Counter()
-        if self.ask_commands(self.runs, point, need):
-            self.needs.append(need)
-
-    def ask_first(self, point):
-        if time.monotonic() - self.begun < LONGEST:
-            self.ask_commands(self.runs[:1], point, Counter())
-
-    def ask_commands(self, commands, point, need):
-        """Whether all of them can run, as far as one knows."""
+    def ask_about(self, point):
+        if time.monotonic() - self.begun > LONGEST:
+            return
         self.asked += 1
+        need: Counter[str] = Counter()
         before: set[str] = set()
         with TemporaryDirectory() as folder:
-            for command in commands:
+            for command in self.runs:
                 words = self.sweep.words(command, point)
                 files = (word for word in words if without_time(word) in before)
                 if command.is_later or not all(Path(folder, file).exists() for file in files):
                     self.unknown.add(command.name)
                 elif not self.ask_program(command.program, words, before, folder, need):
-                    return False
+                    return
                 before.update(command.outputs_of(words))
-        return True
+        self.needs.append(need)
 
     def ask_program(self, program, words, before, folder, need):
         """`need` grows by what it says. One without --dry-run runs."""

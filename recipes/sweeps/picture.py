@@ -192,9 +192,9 @@ def draw_columns(stem, sweep, columns):
     for axis in varied:
         if None in axis.cells:
             return f"No picture: some points have no {axis.name}."
-    measured = [by_name[name] for name in sweep.columns if name in by_name]
-    if not 0 < len(measured) <= FEW:
-        return f"No picture: {len(measured)} quantities are no lists; up to {FEW} are drawn."
+    measured = [by_name[name] for name in sweep.columns]
+    if len(measured) > FEW:
+        return f"No picture: there are {len(measured)} quantities; up to {FEW} are drawn."
     done = np.array([status == "done" for status in by_name["status"].cells])
     beside = min(2, len(measured))
     below = -(-len(measured) // beside)

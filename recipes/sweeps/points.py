@@ -31,8 +31,7 @@ class Points:
         except Failure as why:
             row |= {"status": UNFINISHED, "sentence": str(why)}
         for name, path in self.sweep.columns.items():
-            value = find(reports, path)
-            row[name] = [*map(in_cell, value)] if isinstance(value, list) else in_cell(value)
+            row[name] = in_cell(find(reports, path))
         asked = self.making.scope.asked
         return row | {"point": asked[-1].own if asked else ""}
 
@@ -79,5 +78,5 @@ def most_said(said, elsewhere=""):
 
 
 def in_cell(value):
-    """A number, a text or a truth value; None for parts of reports and lists in lists."""
+    """A number, a text or a truth value; None for parts of reports."""
     return value if isinstance(value, (int, float, str)) else None

@@ -15,12 +15,11 @@ from sweeps.values import HEADING, check_length, combined, references, rows_in, 
 from sweeps.words import PLAIN, VALUES, Command, Described, Later, file_in, options_of
 from sweeps.words import without_time
 
-PATH = re.compile(r"[\w-]+(\.(-?\w+|\*))+")  # to a quantity: front.v_c.28
+PATH = re.compile(r"[\w-]+(\.-?\w+)+")  # to a quantity: front.v_c.28
 INDEX = re.compile(r"\.-?\d+(?=\.|$)")
 NAME = re.compile(r"\w[\w., +-]{0,99}")  # of a column
 OWN = {"base", VALUES}  # holes that are no names
 STATE = ("status", "sentence", "point")  # columns of every table
-ELEMENT = "element"  # the column of a number in a list
 MEGABYTES = {"MB": 1, "GB": 1000}
 AXES = ("log", "linear")
 
@@ -103,8 +102,8 @@ class Sweep:
         is_later = hole.partition(".")[0] in self.text["commands"]
         if is_later and not PATH.fullmatch(hole):
             raise UsageError(f"'{{{hole}}}' is no quantity, such as {{front.t_rupture.8}}")
-        if is_later and self.quantity_at(hole, before)[1]:
-            raise UsageError(f"'{{{hole}}}' is a list: name one element, as in {{{hole}.8}}")
+        if is_later:
+            self.unit_at(hole, before)
         return is_later
 
     def all_points(self):
@@ -171,9 +170,9 @@ class Sweep:
 
     # --- what is measured ----------------------------------------------------------------------
 
-    def quantity_at(self, path, commands):
-        """The unit, and whether it is a list. `path` is the name of a command, then a place in what
-        it reports. `analyze strength` reports numbers of a shape, but lists of a file."""
+    def unit_at(self, path, commands):
+        """`path` is the name of a command, then a place in what it reports. `analyze strength`
+        reports numbers of a shape, but lists of a file."""
         name, _, rest = path.partition(".")
         by_name = {one.name: one for one in commands}
         if name not in by_name:
@@ -185,9 +184,9 @@ class Sweep:
         pattern = INDEX.sub(".*", quantity)
         is_list, of_file = f"{pattern}.*" in known, ".h5" in by_name[name].line
         if pattern in known and not (is_list and of_file):
-            return known[pattern], "*" in quantity
+            return known[pattern]
         if is_list:
-            return known[f"{pattern}.*"], True
+            raise UsageError(f"'{path}' is a list: name one element, as in {path}.8")
         near = suggestion(pattern, known) or "; rupture analyze quantities lists what there is"
         raise UsageError(f"analyze reports no '{quantity}'{near}")
 
@@ -195,7 +194,7 @@ class Sweep:
         """{name: path} and {name: unit}. A heading may repeat the unit, as in `speed [m/s]`."""
         columns: dict[str, str] = {}
         units: dict[str, str] = {}
-        taken = [*STATE, ELEMENT, *self.kept, *(name for name, _ in self.lists)]
+        taken = [*STATE, *self.kept, *(name for name, _ in self.lists)]
         taken += self.points[0].values
         if not (rows := self.text["quantities"]):
             raise self.text.error(0, "it needs a section [quantities], as in type = front.type")
@@ -204,7 +203,7 @@ class Sweep:
                 ((name, _, stated),) = HEADING.findall(heading)
                 if not PATH.fullmatch(path):
                     raise UsageError(f"'{path}' is no quantity, such as front.slow.speed")
-                unit, _ = self.quantity_at(path, self.commands)
+                unit = self.unit_at(path, self.commands)
                 if stated not in ("", unit):
                     raise UsageError(f"'{heading}' says [{stated}], but {path} is in '{unit}'")
                 if not NAME.fullmatch(name) or name in (*columns, *taken):
@@ -307,12 +306,9 @@ def text_in(reports, path):
 
 
 def find(tree, path):
-    """The value that a path such as front.v_c.3 leads to, with * to a list of them; None where it
-    leads nowhere."""
+    """The value that a path such as front.v_c.3 leads to; None where it leads nowhere."""
     key, _, rest = path.partition(".")
     try:
-        if key == "*":
-            return [find(one, rest) if rest else one for one in tree]
         one = tree[int(key)] if isinstance(tree, list) else tree[key]
     except (KeyError, IndexError, TypeError, ValueError):
         return None

@@ -1,4 +1,4 @@
-"""The tables of a sweep: a row for each point, and what is said of them in the terminal."""
+"""The table of a sweep: a row for each point, and what is said of them in the terminal."""
 
 import re
 import shutil
@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from measure.fronts import TYPES
@@ -16,7 +15,6 @@ from rupture.tools.command_line import in_one_line, plural
 from rupture.units import without_unit
 from sweeps.picture import draw
 from sweeps.points import DONE, REFUSED, UNFINISHED, most_said
-from sweeps.sweep import ELEMENT
 
 TWO_DECADES = 100
 FORMULA = re.compile(r"[=@]|[-+](?![\d.])")  # of a spreadsheet
@@ -93,52 +91,16 @@ def columns_of(sweep, rows):
 
 
 def is_one(cell):
-    """Whether it is a number, or a list; values along x are none."""
+    """Whether it is a number; values along x are none."""
     try:
-        return isinstance(cell, list) or cell is None or float(cell) is not None
+        return cell is None or float(cell) is not None
     except ValueError:
         return False
-
-
-def apart(columns):
-    """Columns of points, and those of lists: a row for each element, with its number and the values
-    and name of the point; nothing without lists."""
-    lists = [column for column in columns if any(isinstance(one, list) for one in column.cells)]
-    own = [column for column in columns if column not in lists]
-    if not lists:
-        return own, []
-    status = next(n for n, column in enumerate(columns) if column.name == "status")
-    cells = [[one if isinstance(one, list) else [] for one in column.cells] for column in lists]
-    places = [
-        (row, n) for row, found in enumerate(zip(*cells)) for n in range(max(map(len, found)))
-    ]
-    heads = [*columns[:status], columns[-1]]
-    elements = [Column(one.name, one.unit, [one.cells[row] for row, _ in places]) for one in heads]
-    elements.append(Column(ELEMENT, "1", [n for _, n in places]))
-    for column, found in zip(lists, cells):
-        own_cells = [(found[row][n : n + 1] or [None])[0] for row, n in places]
-        elements.append(Column(column.name, column.unit, own_cells))
-    return own, elements
 
 
 def write_csv(path, columns):
     cells = zip(*(column.texts for column in columns))
     write_table(path, [column.heading for column in columns], cells)
-
-
-def fixed(texts):
-    """The texts as UTF-8, all as long as the longest one."""
-    encoded = [text.encode() for text in texts]
-    return np.array(encoded, h5py.string_dtype("utf-8", max([1, *map(len, encoded)])))
-
-
-def write_hdf5(path, title, columns):
-    with h5py.File(path, "w", locking=False) as file:
-        file.attrs["title"] = fixed([title]).reshape(())
-        for column in columns:
-            cells = column.positions if column.unit else fixed(column.texts)
-            dataset = file.create_dataset(column.name, data=cells, track_times=False)
-            dataset.attrs["unit"] = fixed([column.unit or "1"]).reshape(())
 
 
 def summary(sweep, rows):
@@ -158,16 +120,12 @@ def summary(sweep, rows):
 
 
 def write_results(folder, sweep, rows):
-    """Writes the tables, the picture, and the file as it was run. Returns what there is."""
+    """Writes the table, the picture, and the file as it was run. Returns what there is."""
     stem = folder / sweep.name
-    columns, elements = apart(columns_of(sweep, rows))
-    for ending, content in (("", columns), ("-elements", elements)):
-        if content:
-            write_csv(Path(f"{stem}{ending}.csv"), content)
-            write_hdf5(f"{stem}{ending}.hdf5", sweep.title, content)
+    columns = columns_of(sweep, rows)
+    write_csv(Path(f"{stem}.csv"), columns)
     Path(f"{stem}.ini").write_text(sweep.text.text, encoding="utf-8")
     if sweep.table:
         shutil.copyfile(sweep.table, f"{stem}-points.csv")
-    lines = [f"Table: {sweep.name}.csv and .hdf5"]
-    lines += [f"Table of lists: {sweep.name}-elements.csv and .hdf5"] if elements else []
-    return [*lines, draw(stem, sweep, columns) or f"Picture: {sweep.name}.png and .pdf"]
+    picture = draw(stem, sweep, columns) or f"Picture: {sweep.name}.png and .pdf"
+    return [f"Table: {sweep.name}.csv", picture]

@@ -45,9 +45,10 @@ class Described:
     """What the programs say of themselves."""
 
     def __init__(self):
-        listed = self.answer("analyze", "quantities", "--json")
-        self.parameters = {row["name"]: row for row in listed["parameters"]}
-        self.quantities = {row["name"]: row["unit"] for row in listed["quantities"]}
+        parameters = self.answer("parameters", "--json")["parameters"]
+        quantities = self.answer("analyze", "quantities", "--json")["quantities"]
+        self.parameters = {row["name"]: row for row in parameters}
+        self.quantities = {row["name"]: row["unit"] for row in quantities}
         self.commands = {}
 
     def answer(self, *words):

@@ -22,7 +22,7 @@ from rupture.replacing import replacing
 from rupture.tools.command_line import CLEAR, Failure
 from rupture.tools.map import LINE, Shown, draw_front_lines, figure_of, gaps_of, patches_of
 from rupture.tools.map import slip_speed, spread
-from rupture.tools.movie import SLOWEST, chosen_samples, front_at, values_of
+from rupture.tools.movie import SLOWEST, chosen_samples, front_at, speeds_of
 from rupture.tools.output import EXISTS, complete
 
 
@@ -183,7 +183,7 @@ def test_fields_colour_the_slider_but_for_times_without_any(folder):
     record = rupture.run("load", output="f.h5", record="f-record.h5", **fields).record
     draws("movie", "f-record.h5", "-o", "f.gif", "--frames", 2)
     moved = np.diff(record["fields/u_x"][1:4:2].astype(float), axis=0)
-    assert np.allclose(values_of(record, [2], "speed")[0], np.maximum(abs(moved) / 4e-7, SLOWEST))
+    assert np.allclose(speeds_of(record, [2]), np.maximum(abs(moved) / 4e-7, SLOWEST))
     film = "movie f-record.h5 -o y.gif --from 0.25ms --to 0.35ms"
     sentence = "the record has no fields between 0.00025 s and 0.00035 s; choose a longer time"
     refuses(film, 1, sentence)

@@ -32,7 +32,7 @@ ONLY_BY_HAND = (
     "analyze slip --x --to",
 )
 # {option: value} of what `load` and `prepare` start from.
-PARAMETERS = json.loads(run("analyze", "quantities", "--json").stdout)["parameters"]
+PARAMETERS = json.loads(run("parameters", "--json").stdout)["parameters"]
 DEFAULTS = {f"--{row['name']}": str(row["default"]) for row in PARAMETERS} | {"--sigma-bar": "0"}
 
 

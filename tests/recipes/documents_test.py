@@ -10,7 +10,7 @@ from pathlib import Path
 from conftest import BIN, ROOT, need, need_modules
 
 need("ffmpeg")
-need_modules("pandas", "xarray")
+need_modules("pandas")
 PAGES = ("README", "docs/tutorial", "docs/runs", "docs/pictures", "docs/sweeps", "docs/python")
 SKIP = ("export ", "paraview ")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```\n|((?:^    [^\n]*\n)+)", re.MULTILINE | re.DOTALL)

@@ -17,7 +17,6 @@ from report.written import MARKER, hold, seal
 NOT_RUN = ("5A", "5B", "no-slip-force-driven")  # the fixture has no results of their recipe
 JUDGED = [claim_id for claim_id in table() if claim_id not in NOT_RUN]
 START = 1.7e9  # [s] since 1970
-POINTS = 1200
 BUILD = "rupture 0.9.0, commit abc"
 
 README = """# Title of {name} & <more>
@@ -106,7 +105,7 @@ class Project:
                 spill(results / "front.csv", "x\n")
 
     def make_accounts(self):
-        """fig2 and fig3 need the same load of 50 s, fig4 many measurements of 0.5 s each."""
+        """fig2 and fig3 need the same load."""
         load = job("ab12", "rupture load -o load.h5 --echo <b>", 0, 50, build=BUILD)
         load |= {"checksums": {"load.h5": "5eed5eed"}}
         self.spill_kept("ab/ab12.load.h5")
@@ -114,9 +113,7 @@ class Project:
         for n, name in enumerate(("fig2", "fig3")):
             peaks = job(f"cd{n}", "# in Python: slip.peaks_of load.h5", 60, 1) | read
             write_jobs(self.results / name, [load, peaks])
-        line = "rupture analyze front load.h5 --event"
-        fronts = (job(f"{n}", f"{line} {n}", 70, 0.5) | read for n in range(POINTS))
-        write_jobs(self.results / "fig4", [load, *fronts, {"id": "ef", "command": "rupture load"}])
+        write_jobs(self.results / "fig4", [load, {"id": "ef", "command": "rupture load"}])
 
     def seal(self):
         """All files are as ./reproduce.sh has written them."""

@@ -142,7 +142,7 @@ def test_from_a_crash_to_a_whole_table_that_grows_and_shrinks(sweep):
     assert "2 points: 1 refused, 1 unfinished." in done.stdout
     assert "to retry the unfinished points, run the same command again" in done.stderr
     files = {path.name for path in (sweep.root / "results/sweeps/my").glob("*.*")}
-    assert files == {f"my.{end}" for end in "ini csv hdf5 png pdf".split()} | {"jobs.jsonl"}
+    assert files == {f"my.{end}" for end in "ini csv png pdf".split()} | {"jobs.jsonl"}
 
     die.unlink()
     sweep.replace("my.ini", "0.1, 2", "0.1, 2, 0.2")

@@ -1,7 +1,7 @@
 """The commands behind results, as the store has them."""
 
 from conftest import run as by_hand
-from report.jobs import builds_of, files_of, jobs_of, read_jobs, seconds_of, steps, write_jobs
+from report.jobs import builds_of, files_of, jobs_of, read_jobs, write_jobs
 from rupture import once
 from rupture.once import asked, measured, run
 
@@ -30,6 +30,5 @@ def test_they_are_what_was_asked_for_and_what_that_came_from(folder):
     assert files_of(jobs) == [(made["id"], "start.h5", checksum)]
     assert stress["inputs"] == name["inputs"] == {"start.h5": f"{made['id']}/start.h5"}
     assert show["inputs"]["own.h5"].endswith(f"{folder.name}/own.h5")
-    assert [*steps(jobs)] == ["prepare", "analyze stress", "analyze show", "jobs_test.name_of"]
     assert [count for _, count in builds_of(jobs)] == [3]
-    assert seconds_of(jobs) == sum(one["seconds"] for one in jobs) > 0
+    assert sum(one["seconds"] for one in jobs) > 0

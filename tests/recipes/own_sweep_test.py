@@ -48,11 +48,11 @@ def words(sweep, command=0, number=0):
 
 def test_units_and_headings_are_settled(read):
     text = SWEEP.replace(VALUES, f"{VALUES}\njunctions.t_R = 1 to 2 ms\njunctions.law = reference")
-    text += "speed [m/s] = front.v_c.3\nF_T = stress.F_T\nall = front.v_c.*\n"
+    text += "speed [m/s] = front.v_c.3\nF_T = stress.F_T\n"
     again = "--until-quiet --set junctions.t_R=2e-3"  # a later command may set what varies
     sweep = read(text.replace("--until-quiet", again).replace("= analyze", "= rupture analyze"))
     expected = {"tau-bar": "1", "junctions.t_R": "s", "junctions.law": "", "type": ""}
-    assert sweep.units == expected | {"speed": "m/s", "F_T": "N", "all": "m/s"}
+    assert sweep.units == expected | {"speed": "m/s", "F_T": "N"}
     assert sweep.columns["speed"] == "front.v_c.3"
     typed = "prepare --tau-bar 0.2 --set junctions.t_R=2ms --set junctions.law=reference -o s.h5"
     assert words(sweep, 0, -1) == [*typed.split(), "--quiet"]
@@ -224,6 +224,7 @@ REFUSED = [
     ("front.type", "frnt.type", "no 'frnt': did you mean 'front'"),
     ("front.type", "loading.F_T.0", ".commands. has no 'loading'; it has start, restart"),
     ("front.type", "start.F_T", "'start' does not run analyze"),
+    ("front.type", "front.v_c", "'front.v_c' is a list: name one element"),
     ("front.type", "1000 * front.slow.duration", "is no quantity, such as front.slow.speed"),
     ("type = front.type", "v [km/s] = front.c_s", "says .km/s., but front.c_s is in 'm/s'"),
     ("type = ", "v/c_s = ", "cannot be the heading"),

@@ -14,7 +14,7 @@ import pytest
 from claims.claim import read_results
 from claims.own_result import results_in
 from conftest import ROOT
-from fixture import SHARE, START, Project, spill
+from fixture import SHARE, Project, spill
 from report import page
 from report.jobs import read_jobs
 from report.written import seal
@@ -23,7 +23,6 @@ from rupture.errors import Failure
 from stand_ins import Project as Clone
 
 SECRET = "a secret of the user"
-RUN = {"recipes": "fig2", "where": "here", "started": int(START), "seconds": 65}
 OWN = {"id": "choices", "question": "Is it?", "measured": {"v [m/s]": 1.0}, "expected": {"v": "1"}}
 NAMES: tuple = (
     "fig2/jobs.jsonl",
@@ -32,7 +31,7 @@ NAMES: tuple = (
     "figS1/figS1.png",
     "fig1/front.csv",
 )
-NAMES += ("runs.jsonl", "index.html", "numbers.csv", "claims.png", "ro-crate-metadata.json")
+NAMES += ("index.html", "numbers.csv", "claims.png", "ro-crate-metadata.json")
 SHAPES = {
     "pipe": lambda path, _: os.mkfifo(path),
     "folder": lambda path, _: (path / "theirs").mkdir(parents=True),
@@ -60,7 +59,6 @@ def project_with_results(tmp_path_factory):
     project = Project(tmp_path_factory.mktemp("sound") / "project")
     project.make_recipes()
     project.make_accounts()
-    spill(project.results / "runs.jsonl", json.dumps(RUN) + "\n")
     spill(project.results / "fig4/own.json", json.dumps([OWN]))
     project.seal()
     assert project.report().returncode == 0
@@ -91,7 +89,7 @@ def plant(path, shape, outside):
 @pytest.mark.parametrize("shape", SHAPES)
 def test_a_report_leaves_out_what_was_planted(copied, shape, tmp_path):
     spill(outside := tmp_path / "outside", SECRET)
-    ours = NAMES if shape in ("empty", "huge", "no text", "no JSON", "deep", "zeros") else NAMES[:6]
+    ours = NAMES if shape in ("empty", "huge", "no text", "no JSON", "deep", "zeros") else NAMES[:5]
     for name in ours:
         plant(copied.results / name, shape, outside)
     done = copied.report()
@@ -100,7 +98,7 @@ def test_a_report_leaves_out_what_was_planted(copied, shape, tmp_path):
         sentence = f"{name} is gone, or not as it was written: left out until ./reproduce.sh"
         assert sentence in done.stderr
         assert f'id="{name.split("/")[0]}"' not in copied.page.read_text()
-    texts = (path.read_text() for path in map(copied.results.joinpath, NAMES[6:8] + NAMES[9:]))
+    texts = (path.read_text() for path in map(copied.results.joinpath, NAMES[5:7] + NAMES[8:]))
     assert not any(SECRET in text for text in texts)
     assert outside.read_text() == SECRET
 

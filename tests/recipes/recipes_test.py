@@ -11,7 +11,7 @@ import subprocess
 import pytest
 
 from claims.table import table
-from conftest import BIN, ROOT, run
+from conftest import BIN, ROOT
 from fixture import png
 from report.written import seal
 from stand_ins import Project
@@ -219,7 +219,7 @@ def test_what_is_damaged_or_deleted_is_drawn_again(tiny, name):
         assert tiny.computed() == ["tiny"] and path.read_bytes() == before
 
 
-LINKED = ("tiny", "runs.jsonl", "store/ab")
+LINKED = ("tiny", "ro-crate-metadata.json", "store/ab")
 
 
 def test_a_link_in_the_place_of_what_it_writes_is_refused(tiny):
@@ -292,24 +292,6 @@ def test_a_dry_run_prints_all_commands_and_writes_nothing(tiny):
     done = tiny.call(*WORDS, "--dry-run")
     assert (done.returncode, done.stdout, done.stderr) == (0, DRY, "")
     assert not (tiny.root / "results").exists()
-
-
-def test_the_commands_behind_it_give_the_same_files_by_hand(tiny):
-    folder = tiny.root / "by hand"
-    folder.mkdir()
-    path = f"{tiny.bin}:{os.environ['PATH']}"
-    tiny.program("rupture", 'exec "$@"')
-    script = tiny.root / "results/tiny/commands.sh"
-    environment = os.environ | {"PATH": path, "FILES": str(tiny.root)}
-    subprocess.run(["bash", script], cwd=folder, env=environment, check=True, capture_output=True)
-    jobs = [json.loads(line) for line in (script.parent / "jobs.jsonl").read_text().splitlines()]
-    wanted = sorted(one for job in jobs for one in job.get("checksums", {}).values())
-    found = sorted(
-        run("analyze", "checksum", path).stdout.strip()
-        for path in folder.rglob("*.h5")
-        if not path.is_symlink()
-    )
-    assert len(found) == 2 and found == wanted
 
 
 # --- clean -------------------------------------------------------------------------------------

@@ -163,12 +163,12 @@ def test_results_of_an_earlier_version_are_refused_and_go_with_clean(project):
 
 
 def test_a_lock_that_was_deleted_is_not_taken(folder):
-    first, second = open_lock("lock"), open_lock("lock")
-    assert take_lock(first, "lock") and not take_lock(second, "lock")
+    first, second = open_lock(), open_lock()
+    assert take_lock(first) and not take_lock(second)
     os.unlink("build/.lock")  # by `clean`, before its end
     os.close(first)
-    assert not take_lock(second, "lock")
-    assert take_lock(open_lock("lock"), "lock")
+    assert not take_lock(second)
+    assert take_lock(open_lock())
 
 
 def test_the_second_signal_ends_a_program_that_is_starting(folder):

@@ -69,7 +69,7 @@ def test_rupture_finds_its_tools_and_recipes_and_writes_where_it_is_called(prefi
         other.with_name(f"{name}.py").write_text("raise RuntimeError\n")
     assert "usage:" in succeeds(rupture, "map", "--help", cwd=other.parent).stdout
     listing = succeeds(rupture, "reproduce", "list").stdout
-    assert "tidy" not in succeeds(rupture, "reproduce", "--help").stdout
+    assert "test-slurm" not in succeeds(rupture, "reproduce", "--help").stdout
     before = sorted(prefix.rglob("*"))
     succeeds(rupture, "reproduce", "figS1", "figS3", cwd=work)
     for name in ("figS1", "figS3"):

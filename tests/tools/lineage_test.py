@@ -37,9 +37,8 @@ def test_paths_that_are_no_utf8():
     assert rupture.open(name).provenance[0]["command_line"].endswith(" -o '\ufffd.h5'")
     change(name, r'content put /provenance/0000/command_line "\udcff"')  # as earlier builds wrote
     assert rupture.open(name).provenance[0]["command_line"] == "\ufffd"
-    for command in ("lineage", "show"):
-        said = json.loads(output_of(["analyze", command, name, "--json"]))
-        assert said["checksum"] == checksum_of(name)
+    said = json.loads(output_of(["analyze", "show", name, "--json"]))
+    assert said["checksum"] == checksum_of(name)
 
 
 @pytest.fixture

@@ -19,11 +19,8 @@ bool is_checksummed(std::string_view path);
 /// build if the content is equal.
 std::string content_checksum(const Content& content);
 
-/// Label of a content checksum wherever one is printed. Not "sha256", because it is not what
-/// sha256sum gives for the file, and so that sha256sum -c takes no line of ours for one of its own.
-inline constexpr std::string_view kChecksumLabel = "content-sha256";
-
-/// "content-sha256 <64 hex digits>".
+/// A content checksum as it is printed: "content-sha256 <64 hex digits>". Not "sha256", because it
+/// is not what sha256sum gives for the file.
 std::string labelled(const std::string& checksum);
 
 }  // namespace rupture

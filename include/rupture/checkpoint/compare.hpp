@@ -39,10 +39,6 @@ std::vector<Difference> diff(const Content& a, const Content& b);
 /// about.
 Content checksummed_part(const Content& content);
 
-/// Cuts arrays that differ in their number of rows only to the rows that both have: so a record can
-/// be compared with the start of a longer one.
-void keep_common_rows(Content& a, Content& b);
-
 /// One element of a dataset of numbers; `index` in storage order.
 using Number = std::variant<double, std::int64_t>;
 Number number_at(const Dataset& dataset, std::uint64_t index);

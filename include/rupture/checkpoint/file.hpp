@@ -21,8 +21,9 @@ std::string write_content(const std::filesystem::path& path, FileKind kind, cons
 
 /// Reads a file and verifies everything that can be verified without knowing what the datasets
 /// mean: its bytes, schema version, content checksum and finite numbers. libhdf5 opens it only if
-/// its bytes are as they were sealed. Throws Failure, BrokenSeal if they are not.
-ContentFile read_file(const std::filesystem::path& path);
+/// its bytes are as they were sealed. Throws Failure, BrokenSeal if they are not; also if a
+/// checkpoint is `wanted` and it is none, or a record, be it unfinished, and it is none.
+ContentFile read_file(const std::filesystem::path& path, std::optional<FileKind> wanted = {});
 
 /// Reads and verifies a file in memory, as read_file(); `name` is what messages call it.
 ContentFile read_bytes(std::span<const std::byte> bytes, const std::string& name);

@@ -14,12 +14,16 @@ enum class FileKind { checkpoint, record, open_record };
 inline constexpr std::array kFileKinds = {FileKind::checkpoint, FileKind::record,
                                           FileKind::open_record};
 
-/// "rupture-checkpoint", "rupture-record" or "rupture-record-part": first line of the header and
-/// root attribute `format`.
-std::string_view format_name(FileKind kind);
+/// First line of the header and root attribute `format`.
+inline std::string_view format_name(FileKind kind) {
+  constexpr std::array names = {"rupture-checkpoint", "rupture-record", "rupture-record-part"};
+  return names.at(static_cast<std::size_t>(kind));
+}
 
-/// "a checkpoint", "a record" or "an unfinished record".
-std::string_view kind_text(FileKind kind);
+inline std::string_view kind_text(FileKind kind) {
+  constexpr std::array texts = {"a checkpoint", "a record", "an unfinished record"};
+  return texts.at(static_cast<std::size_t>(kind));
+}
 
 /// "checkpoint", "record", "unfinished record".
 inline std::string_view kind_name(FileKind kind) {

@@ -98,7 +98,6 @@ class Parser(argparse.ArgumentParser):
     def description_json(self):
         """docs/schema.md, Programs as JSON"""
         options = [action for action in self._actions if action.option_strings]
-        words = [list(one.choices) for one in self._get_positional_actions() if one.choices]
         return {
             "name": self.name,
             "synopsis": self.synopsis,
@@ -108,14 +107,14 @@ class Parser(argparse.ArgumentParser):
             "parameters": False,
             "one_needed": [[action.dest] for action in options if action.required],
             "options": [option_json(action) for action in options],
-        } | ({"words": words[0]} if words else {})
+        }
 
 
 def option_json(action):
     *short, long = action.option_strings
-    value = "" if action.nargs == 0 else action.metavar or "|".join(action.choices)
-    kind, unit = KINDS.get(value, ("choice" if action.choices else "text" if value else "flag", ""))
-    described = {
+    value = "" if action.nargs == 0 else action.metavar
+    kind, unit = KINDS.get(value, ("text" if value else "flag", ""))
+    return {
         "name": long.removeprefix("--"),
         "short": short[0].removeprefix("-") if short else None,
         "kind": kind,
@@ -124,7 +123,6 @@ def option_json(action):
         "default": action.default if value else None,
         "help": action.help.removesuffix(DEFAULT),
     }
-    return described | ({"words": list(action.choices)} if action.choices else {})
 
 
 def suggestion(name, known):

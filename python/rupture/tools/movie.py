@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from rupture import plotting
-from rupture.elasticity import stress_of
 from rupture.errors import Failure
 from rupture.programs import analyze
 from rupture.tables import imported
@@ -30,13 +29,11 @@ def parse_options():
     made = Parser(
         "movie RECORD -o FILE [options]",
         "Films a record, or an unfinished one: the interface and, where the run had --fields, the"
-        " slider above it, coloured by its speed, shear stress or displacement.",
+        " slider above it, coloured by its speed.",
         "record",
     )
     made.add_argument("record", metavar="RECORD", help="record, or its .part")
     made.add_output("film to write: .gif, or .mp4 or .webm with ffmpeg")
-    text = f"quantity that colours the slider{DEFAULT}"
-    made.add_argument("--colour", choices=(*COLOURS,), default="speed", help=text)
     text = f"largest number of frames, {PER_SECOND} per second{DEFAULT}"
     number = partial(whole_number, least=1)
     made.add_argument("--frames", type=number, default=FRAMES, metavar="N", help=text)
@@ -108,16 +105,19 @@ class Interface:
 
 
 class Slider:
-    """The blocks, coloured; `rows` are samples of the fields."""
+    """The blocks, coloured by their speed; `rows` are samples of the fields."""
 
-    def __init__(self, figure, axes, record, rows, colour):
-        self.values, label = values_of(record, rows, colour)
+    def __init__(self, figure, axes, record, rows):
+        colors = imported("matplotlib.colors")
+        self.values = speeds_of(record, rows)
+        top = max(np.quantile(self.values, 0.995), 10 * SLOWEST)
         p = record.parameters
         extent = (0, 1, 0, p["slider.H"] / p["slider.L"])
-        look = {"norm": norm_of(self.values, colour), "cmap": COLOURS[colour], "origin": "lower"}
+        look = {"norm": colors.LogNorm(SLOWEST, top), "cmap": "magma", "origin": "lower"}
         self.image = axes.imshow(self.values[0], extent=extent, aspect="auto", **look)
         axes.set(ylabel="$z/L$", xlim=(0, 1))
-        figure.colorbar(self.image, ax=axes, label=label, location="top", aspect=40, extend="both")
+        place = {"location": "top", "aspect": 40, "extend": "both"}
+        figure.colorbar(self.image, ax=axes, label="speed $|v_x|$ [mm/s]", **place)
 
     def draw(self, frame):
         self.image.set_data(self.values[frame])
@@ -146,31 +146,13 @@ def front_at(time, fronts):
     return place
 
 
-COLOURS = {"speed": "magma", "stress": "RdBu_r", "displacement": plotting.MAP}
-
-
-def values_of(record, rows, colour):
-    """What colours the blocks, [frames][Nz][Nx], and its label."""
+def speeds_of(record, rows):
+    """Of the blocks [frames][Nz][Nx], in [mm/s]."""
     u_x = record["fields/u_x"].astype(float)
-    if colour == "speed" and len(u_x) < 2:
-        raise Failure("a speed needs fields at two times; choose another --colour")
-    if colour == "speed":
-        speed = np.gradient(u_x, record["fields/time"], axis=0)[rows]
-        return np.maximum(np.abs(speed) * 1e3, SLOWEST), "speed $|v_x|$ [mm/s]"
-    if colour == "displacement":
-        return (u_x[rows] - u_x[rows[0]]) * 1e6, "$u_x$ since the first frame [µm]"
-    u_z = record["fields/u_z"][rows].astype(float)
-    stress = stress_of(u_x[rows], u_z, record.parameters)[2]
-    return stress / 1e6, r"shear stress $\sigma_{xz}$ [MPa]"
-
-
-def norm_of(values, colour):
-    """The scale from values to colours, the same in all frames."""
-    colors = imported("matplotlib.colors")
-    limit = np.quantile(np.abs(values), 0.995) or 1.0
-    if colour == "speed":
-        return colors.LogNorm(SLOWEST, max(limit, 10 * SLOWEST))
-    return colors.Normalize(values.min() if colour == "displacement" else -limit, limit)
+    if len(u_x) < 2:
+        raise Failure("a film needs fields at two times or more: run with a shorter --fields")
+    speed = np.gradient(u_x, record["fields/time"], axis=0)[rows]
+    return np.maximum(np.abs(speed) * 1e3, SLOWEST)
 
 
 def draw_frames(pyplot, record, window, fronts, options, path):
@@ -182,7 +164,7 @@ def draw_frames(pyplot, record, window, fronts, options, path):
     figure, axes = pyplot.subplots(len(heights), 1, figsize=size, height_ratios=heights)
     near = np.clip(np.searchsorted(record.time, times[rows] - 1e-12), 0, len(record.time) - 1)
     interface, loading = Interface(axes[-2], record, near), Loading(axes[-1], record, window)
-    slider = Slider(figure, axes[0], record, rows, options.colour) if with_bulk else None
+    slider = Slider(figure, axes[0], record, rows) if with_bulk else None
     figure.suptitle(" ")
     figure.canvas.draw()
     figure.set_layout_engine("none")  # the place of everything stays as it is: half the time
@@ -204,8 +186,6 @@ def run():
     pyplot = plotting.pyplot_without_window()
     writer_of(options.output)
     record = open_record(options.record)
-    if options.colour != "speed" and "fields/u_x" not in record:
-        raise Failure("--colour needs a record with displacement fields (run with --fields T)")
     events = analyze("events", options.record)["events"]
     window = window_of(options, record, events)
     shown = [n for n, one in enumerate(events) if window[0] <= one["t_start"] <= window[1]]

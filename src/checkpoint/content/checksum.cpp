@@ -84,7 +84,7 @@ std::string content_checksum(const Content& content) {
 }
 
 std::string labelled(const std::string& checksum) {
-  return fmt::format("{} {}", kChecksumLabel, checksum);
+  return "content-sha256 " + checksum;
 }
 
 }  // namespace rupture

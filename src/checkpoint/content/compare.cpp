@@ -71,12 +71,6 @@ std::optional<Change> change_between(const Dataset& a, const Dataset& b) {
   return std::nullopt;
 }
 
-bool differ_in_rows_only(const Dataset& a, const Dataset& b) {
-  return a.type == b.type && !a.shape.empty() && a.shape.size() == b.shape.size() &&
-         a.shape[0] != b.shape[0] &&
-         std::equal(a.shape.begin() + 1, a.shape.end(), b.shape.begin() + 1);
-}
-
 }  // namespace
 
 std::string_view name_of(Change change) {
@@ -111,17 +105,6 @@ Content checksummed_part(const Content& content) {
   Content part = counted_parameters(content);
   std::copy_if(content.begin(), content.end(), std::inserter(part, part.end()), stored);
   return part;
-}
-
-void keep_common_rows(Content& a, Content& b) {
-  for (auto& [path, dataset] : a) {
-    const auto other = b.find(path);
-    if (other == b.end() || !differ_in_rows_only(dataset, other->second)) continue;
-    const std::uint64_t common = std::min(dataset.shape[0], other->second.shape[0]);
-    Dataset& longer = dataset.shape[0] > common ? dataset : other->second;
-    longer.bytes.resize(longer.bytes.size() / longer.shape[0] * common);
-    longer.shape[0] = common;
-  }
 }
 
 Number number_at(const Dataset& dataset, std::uint64_t index) {

@@ -32,11 +32,7 @@ Checkpoint checkpoint_from(const Content& content) {
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  const FileKind kind = identify(path);
-  if (kind != FileKind::checkpoint) {
-    fail("{} is {}; expected a checkpoint", path.string(), kind_text(kind));
-  }
-  const ContentFile file = read_file(path);
+  const ContentFile file = read_file(path, FileKind::checkpoint);
   Checkpoint checkpoint = naming(path, [&] { return checkpoint_from(file.content); });
   checkpoint.checksum = file.checksum;
   return checkpoint;

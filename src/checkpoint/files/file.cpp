@@ -65,8 +65,12 @@ std::string write_content(const fs::path& path, FileKind kind, const Content& co
   return sealed.checksum;
 }
 
-ContentFile read_file(const fs::path& path) {
-  identify(path);  // of a file that is not ours the start is enough
+ContentFile read_file(const fs::path& path, std::optional<FileKind> wanted) {
+  const FileKind kind = identify(path);  // of a file that is not ours the start is enough
+  const auto is_checkpoint = [](FileKind one) { return one == FileKind::checkpoint; };
+  if (wanted && is_checkpoint(kind) != is_checkpoint(*wanted)) {
+    fail("{} is {}; expected {}", path.string(), kind_text(kind), kind_text(*wanted));
+  }
   return read_bytes(read_start(path, readable_size(path)), path.string());
 }
 

@@ -212,10 +212,7 @@ Record read_record(const std::filesystem::path& path) {
 }
 
 RecordFile read_record_file(const std::filesystem::path& path) {
-  if (identify(path) == FileKind::checkpoint) {
-    fail("{} is a checkpoint; expected a record", path.string());
-  }
-  ContentFile file = read_file(path);
+  ContentFile file = read_file(path, FileKind::record);
   Record record = naming(path, [&] { return record_from(file); });
   return {std::move(record), std::move(file.content), file.ignored_bytes};
 }

@@ -97,8 +97,14 @@ Dataset edited_text(Id type, Id space, const Read& read, std::size_t room,
                                                 : text_of_fixed_length(type, read, room, path));
 }
 
-bool is_text(Id type) {
-  return H5Tget_class(type) == H5T_STRING;
+Dataset read_elements(Id type, Id space, const Read& read, std::size_t room, Accept accept,
+                      const std::string& path) {
+  if (accept == Accept::edited && H5Tget_class(type) == H5T_STRING) {
+    return edited_text(type, space, read, room, path);
+  }
+  Dataset data = described(type, space, room, path);
+  if (!data.bytes.empty()) check(read(type, data.bytes.data()), "read " + path);
+  return data;
 }
 
 Dataset read_attribute(Id object, const std::string& name, const std::string& where,
@@ -110,11 +116,7 @@ Dataset read_attribute(Id object, const std::string& name, const std::string& wh
   const Handle space(H5Aget_space(attribute), doing);
   constexpr std::size_t largest_attribute = 65536;  // HDF5's own limit [bytes]
   const Read read = [&](Id as, void* elements) { return H5Aread(attribute, as, elements); };
-  if (accept == Accept::edited && is_text(type)) {
-    return edited_text(type, space, read, largest_attribute, full_name);
-  }
-  Dataset data = described(type, space, largest_attribute, full_name);
-  check(read(type, data.bytes.data()), doing);
+  Dataset data = read_elements(type, space, read, largest_attribute, accept, full_name);
   if (accept == Accept::edited && data.shape == Shape{1}) data.shape.clear();  // as netCDF has them
   return data;
 }
@@ -153,16 +155,12 @@ Dataset read_values(Id dataset, const std::string& path, std::size_t room, Accep
   const Read read = [&](Id as, void* elements) {
     return H5Dread(dataset, as, H5S_ALL, H5S_ALL, H5P_DEFAULT, elements);
   };
-  if (accept == Accept::edited && is_text(type)) {
-    return edited_text(type, space, read, room, path);
-  }
-  Dataset data = described(type, space, room, path);
+  Dataset data = read_elements(type, space, read, room, accept, path);
   const hsize_t stored = H5Dget_storage_size(dataset);
   if (accept == Accept::own && stored != data.bytes.size()) {  // what is not there reads as zeros
     fail("{} holds {} bytes, but its shape {} needs {}", path, stored, shape_text(data.shape),
          data.bytes.size());
   }
-  if (!data.bytes.empty()) check(read(type, data.bytes.data()), doing);
   return data;
 }
 

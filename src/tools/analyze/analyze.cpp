@@ -27,8 +27,7 @@ std::string_view word_for(const Command& command) {
 
 std::string help() {
   std::string text = fmt::format(
-      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND describes one):\n"
-      "  help         show this list, or the help of a command\n",
+      "Usage: rupture {}\n\n{}\n\nCommands (rupture help analyze COMMAND describes one):\n",
       kSynopsis, kPurpose);
   for (const Command* command : kCommands) {
     text += fmt::format("  {:<12} {}\n", word_for(*command), command->summary);
@@ -36,10 +35,10 @@ std::string help() {
   return text;
 }
 
-/// The text of its --help or --describe.
-std::string answer(const Command& command, const char* question) try {
-  parse(command, 2, std::array<const char*, 2>{"analyze", question}.data());
-  throw std::logic_error(fmt::format("{} does not answer {}", command.name(), question));
+/// The text of its --describe.
+std::string description_of(const Command& command) try {
+  parse(command, 2, std::array{"analyze", "--describe"}.data());
+  throw std::logic_error(fmt::format("{} does not describe itself", command.name()));
 } catch (const HelpRequested& said) {
   return said.text;
 }
@@ -50,13 +49,13 @@ std::string describe() {
                {"purpose", kPurpose},
                {"commands", Json::array()}};
   for (const Command* command : kCommands) {
-    json["commands"].push_back(Json::parse(answer(*command, "--describe")));
+    json["commands"].push_back(Json::parse(description_of(*command)));
   }
   return json_text(json) + "\n";
 }
 
 std::vector<std::string_view> names_of_commands() {
-  std::vector<std::string_view> names = {"help"};
+  std::vector<std::string_view> names;
   for (const Command* command : kCommands) names.push_back(word_for(*command));
   return names;
 }
@@ -68,33 +67,20 @@ const Command& find(std::string_view name) {
   throw UsageError(unknown_text("command", name, names_of_commands(), "rupture analyze --help"));
 }
 
-bool asks_for_help(std::string_view word) {
-  return word == "help" || word == "--help" || word == "-h";
-}
-
-std::string help_for(const std::vector<std::string>& words) {
-  if (words.size() > 1) {
-    throw UsageError("unexpected word '{}': help takes one command", words[1]);
-  }
-  if (words.empty() || asks_for_help(words.front())) return help();
-  return answer(find(words.front()), "--help");
-}
-
 int run(int argc, char** argv) {
   const std::string_view first = argc > 1 ? argv[1] : "";
   if (first.empty()) {
-    throw UsageError("no command was given: choose one of {} (rupture analyze help describes them)",
+    throw UsageError("no command was given: choose one of {} (rupture help analyze describes them)",
                      fmt::join(names_of_commands(), ", "));
   }
-  if (first == "help") throw HelpRequested{help_for({argv + 2, argv + argc})};
-  if (asks_for_help(first)) throw HelpRequested{help()};
+  if (first == "--help" || first == "-h") throw HelpRequested{help()};
   if (first == "--describe") throw HelpRequested{describe()};
   if (first == "--version") throw HelpRequested{version_text("analyze")};
   const Command& command = find(first);
   return command.run(parse(command, argc - 1, argv + 1));
 }
 
-// --- analyze quantities: parameters, and what the commands and the other programs report
+// --- analyze quantities: what the commands and the other programs report
 
 constexpr std::array kWriters = {&load_command,       &restart_command, &prepare_command,
                                  &modify_phi_command, &finish_command,  &seal_command};
@@ -147,19 +133,17 @@ void print_lines(const Json& quantities) {
 constinit const Command quantities_command = {
     "analyze quantities",
     "",
-    "names and units of all parameters and of all measured quantities",
-    "Lists all parameters, and everything that the commands of analyze and the programs that\n"
-    "write files report with --json.",
+    "names and units of all measured quantities",
+    "Lists everything that the commands of analyze and the programs that write files report\n"
+    "with --json.",
     {add_json_option},
     [](const Parsed& parsed) {
       if (parsed.values.count("json") > 0) {
-        say("{}\n", json_text({{"parameters", json_of(parameter_table())},
-                               {"quantities", quantities_of(kCommands)},
+        say("{}\n", json_text({{"quantities", quantities_of(kCommands)},
                                {"summaries", quantities_of(kWriters)}}));
         return int{kDone};
       }
-      say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
-      say("\nQuantities: name (command, then field of its --json; * is an index), unit, "
+      say("Quantities: name (command, then field of its --json; * is an index), unit, "
           "meaning\n");
       print_lines(quantities_of(kCommands));
       say("\nSummaries: name (program that writes files, then field of its --json), unit, "

@@ -14,23 +14,12 @@ std::optional<double> ratio(double force, double strength) {
   return strength > 0.0 ? std::optional(force / strength) : std::nullopt;
 }
 
-/// Centroid of the normal forces, measured from the middle of the interface [m].
-double centroid(const std::vector<double>& x, const std::vector<double>& p, double L) {
-  double moment = 0.0, total = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    moment += p[i] * (x[i] - 0.5 * L);
-    total += p[i];
-  }
-  return total > 0.0 ? moment / total : 0.0;
-}
-
 Report stress_of(const Checkpoint& checkpoint) {
   const Parameters& parameters = checkpoint.parameters;
   const State& state = checkpoint.state;
   const auto x = block_positions(parameters), p = normal_forces(parameters, state),
              tau = friction_forces(parameters, state);
-  const double t = time(parameters, state), F_T = driving_force(parameters, state),
-               p_centroid = centroid(x, p, parameters.L);
+  const double t = time(parameters, state), F_T = driving_force(parameters, state);
   Numbers tau_over_p;
   for (std::size_t i = 0; i < p.size(); ++i) tau_over_p.push_back(ratio(tau[i], p[i]));
   const TextColumn forces = {11, "{:.4f}"};
@@ -43,15 +32,12 @@ Report stress_of(const Checkpoint& checkpoint) {
       text_only(tau_over_p, {8, "{:.4f}", "tau/p"}),
       {"F_T", "N", "driving force", F_T},
       {"F_N", "N", "normal load", parameters.F_N},
-      {"p_centroid", "m", "centroid of the normal forces, from the middle of the interface",
-       p_centroid},
   };
   const auto sum = [](const auto& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
   };
-  return {rows, fmt::format("t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N, "
-                            "centroid of p at {:.4g} mm from the middle\n",
-                            t, F_T, sum(p), sum(tau), p_centroid * 1e3)};
+  return {rows, fmt::format("t = {:.7g} s, F_T = {:.6g} N, sum p = {:.9g} N, sum tau = {:.6g} N\n",
+                            t, F_T, sum(p), sum(tau))};
 }
 
 Quantities quantities_of(const std::vector<BlockForces>& blocks, int bins) {

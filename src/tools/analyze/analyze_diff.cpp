@@ -4,11 +4,18 @@
 #include <algorithm>
 
 #include "analyze/analyze.hpp"
-#include "analyze/diff_summary.hpp"
+#include "cli/report.hpp"
 #include "cli/text.hpp"
+#include "rupture/checkpoint/compare.hpp"
+#include "rupture/checkpoint/parameters_content.hpp"
 
 namespace rupture::tools {
 namespace {
+
+/// What of two files counts in their checksums.
+struct Pair {
+  Content a, b;
+};
 
 /// The values of both files at one element of a dataset.
 Json element_json(const Dataset& a, const Dataset& b, std::uint64_t index) {
@@ -51,72 +58,121 @@ Json difference_json(const Pair& pair, const Difference& difference) {
   return json;
 }
 
+/// Checksums of the file itself, of that from which it was made before it, and so on.
+std::vector<std::string> ancestors(const ContentFile& file) {
+  std::vector<std::string> all = {file.checksum};
+  const auto chain = read_provenance(file.content);
+  for (auto step = chain.rbegin(); step != chain.rend(); ++step) {
+    all.push_back(step->parent_checksum);
+  }
+  return all;
+}
+
+/// The last file that both come from; null if there is none.
+Json ancestor_json(const ContentFile& a, const ContentFile& b) {
+  const auto others = ancestors(b);
+  for (const std::string& checksum : ancestors(a)) {
+    if (!checksum.empty() && std::ranges::count(others, checksum) > 0) {
+      return {{"checksum", checksum}};
+    }
+  }
+  return nullptr;
+}
+
+/// The parameters that differ and that the laws use.
+Json parameters_json(const ContentFile& a, const ContentFile& b) {
+  const Parameters of_a = read_parameters(a.content), of_b = read_parameters(b.content);
+  Json list = Json::array();
+  for (const auto& info : parameter_table()) {
+    const std::string text = used_text(of_a, info), other = used_text(of_b, info);
+    if (text != other) list.push_back({{"name", info.name}, {"a", text}, {"b", other}});
+  }
+  return list;
+}
+
+/// The first row in which two arrays of equal rows differ, of those that both have.
+std::optional<std::uint64_t> first_row(const Dataset& a, const Dataset& b) {
+  if (a.type != b.type || a.shape.empty() || b.shape.empty()) return std::nullopt;
+  const auto row_of = [](const Shape& shape) { return std::span(shape).subspan(1); };
+  const std::uint64_t rows = std::min(a.shape[0], b.shape[0]);
+  if (rows == 0 || !std::ranges::equal(row_of(a.shape), row_of(b.shape))) return std::nullopt;
+  const std::size_t bytes_per_row = a.bytes.size() / a.shape[0];
+  const auto end = a.bytes.begin() + static_cast<std::ptrdiff_t>(rows * bytes_per_row);
+  const auto at = std::mismatch(a.bytes.begin(), end, b.bytes.begin()).first;
+  if (at == end) return std::nullopt;
+  return static_cast<std::size_t>(at - a.bytes.begin()) / bytes_per_row;
+}
+
+/// The first sample of two records, of those that both have, in which a series differs; null if
+/// none does.
+Json first_sample_json(const Pair& pair) {
+  std::optional<std::uint64_t> sample;
+  for (const auto& [path, a] : pair.a) {
+    const auto b = pair.b.find(path);
+    if (!path.starts_with("/series/") || b == pair.b.end()) continue;
+    if (const auto row = first_row(a, b->second)) sample = std::min(sample.value_or(*row), *row);
+  }
+  if (!sample) return nullptr;
+  return {{"sample", *sample}, {"time", element<double>(pair.a.at("/series/time"), *sample)}};
+}
+
+/// When the states are [s]; null of records. Throws Failure if they are no states.
+Json times_json(const ContentFile& a, const ContentFile& b) {
+  if (a.kind != FileKind::checkpoint) return nullptr;
+  const auto time_of = [](const ContentFile& file) {
+    const Checkpoint checkpoint = checkpoint_from(file.content);
+    return time(checkpoint.parameters, checkpoint.state);
+  };
+  return {{"a", time_of(a)}, {"b", time_of(b)}};
+}
+
 // --- the text, from the JSON
 
-std::string number_text(const Json& number) {
-  return number.is_number_float() ? fmt::format("{}", number.get<double>()) : number.dump();
+/// A line if the times differ, else nothing.
+std::string times_text(const Json& times) {
+  if (times.is_null() || times["a"] == times["b"]) return "";
+  return fmt::format("different times: t = {:.10g} s and {:.10g} s\n", times["a"].get<double>(),
+                     times["b"].get<double>());
 }
 
-std::string pair_text(const Json& element) {
-  return fmt::format("{} and {}", number_text(element["a"]), number_text(element["b"]));
-}
-
-/// "[3][17]: 1.5 and 2".
-std::string place_text(const Json& element) {
-  return shape_text(element["index"]) + ": " + pair_text(element);
-}
-
-std::string scalar_text(const Json& json) {
-  const double absolute = json["absolute"]["largest"], relative = json["relative"]["largest"];
-  return fmt::format(
-      "{}, {:.3e} absolute, {:.3e} relative{}\n", pair_text(json["first"]), absolute, relative,
-      json.contains("ulp") ? fmt::format(", {} ULP", json["ulp"]["largest"].dump()) : "");
-}
-
-std::string array_text(const Json& json, std::uint64_t elements) {
-  std::string text = fmt::format("{} of {} differ, the first at {}\n", json["count"].dump(),
-                                 elements, place_text(json["first"]));
-  for (const char* name : {"absolute", "relative"}) {
-    text += fmt::format("    largest {} difference {:.3e} at {}\n", name,
-                        json[name]["largest"].get<double>(), place_text(json[name]));
+std::string parameters_line(const Json& parameters) {
+  std::vector<std::string> texts;
+  for (const Json& one : parameters) {
+    const std::string name = one["name"], a = one["a"], b = one["b"];
+    texts.push_back(fmt::format("{} = {} and {}", name, a, b));
   }
-  if (!json.contains("ulp")) return text;
-  return text + fmt::format("    largest difference {} ULP at {}\n", json["ulp"]["largest"].dump(),
-                            place_text(json["ulp"]));
+  return texts.empty() ? "none" : in_one_line(fmt::format("{}", fmt::join(texts, "; ")));
 }
 
-/// What follows the path of a dataset.
-std::string difference_text(const Json& json, const Pair& pair) {
-  const std::string change = json["change"];
-  if (change == "only_in_a") return "only in the first file\n";
-  if (change == "only_in_b") return "only in the second file\n";
-  if (change != "values") {
-    const auto told = [&](const Json& dataset) {
-      return change == "type" ? dataset["type"].get<std::string>() : shape_text(dataset["shape"]);
-    };
-    return fmt::format("{}s differ: {} and {}\n", change, told(json["a"]), told(json["b"]));
-  }
-  if (!json.contains("first")) {
-    const std::string a = json["a"], b = json["b"];
-    return in_one_line(fmt::format("'{}' and '{}'", a, b)) + "\n";
-  }
-  const Shape& shape = pair.a.at(json["path"]).shape;
-  return shape.empty() ? scalar_text(json) : array_text(json, element_count(shape));
+std::string ancestor_line(const Json& ancestor) {
+  if (ancestor.is_null()) return "none that the steps of both name";
+  const std::string checksum = ancestor["checksum"];
+  return "content checksum " + in_one_line(checksum.substr(0, 12));
 }
 
-std::string datasets_text(const Json& json, const Pair& pair) {
-  const Json& differences = json["differences"];
-  std::string text;
-  for (const Json& difference : differences) {
-    text += in_one_line(difference["path"]) + ": " + difference_text(difference, pair);
+std::string differences_line(const Json& report) {
+  const Json &differences = report["differences"], &sample = report["first_sample"];
+  std::string text =
+      fmt::format("{} of {} datasets", differences.size(), report["datasets"].dump());
+  if (!sample.is_null()) {
+    return text + fmt::format(", the series from t = {:.10g} s on (sample {})",
+                              sample["time"].get<double>(), sample["sample"].dump());
   }
-  return text +
-         fmt::format("{} of {} datasets differ\n", differences.size(), json["datasets"].dump());
+  for (const Json& one : differences) {
+    if (one["path"] != "/state/u_x" || !one.contains("absolute")) continue;
+    const Json& most = one["absolute"];
+    text += fmt::format(", /state/u_x by at most {:.4g} m, at {}", most["largest"].get<double>(),
+                        shape_text(most["index"]));
+  }
+  return text;
 }
 
-std::string report_text(const Json& json, const Pair& pair, bool all) {
-  if (json["equal"]) return "equal\n";
-  return times_text(json["time"]) + (all ? datasets_text(json, pair) : summary_text(json));
+std::string text_of(const Json& report) {
+  if (report["equal"]) return "equal\n";
+  return times_text(report["time"]) +
+         fmt::format("parameters that differ: {}\ncommon ancestor: {}\nwhat differs: {}\n",
+                     parameters_line(report["parameters"]), ancestor_line(report["ancestor"]),
+                     differences_line(report));
 }
 
 int compare(const Parsed& parsed) {
@@ -133,12 +189,12 @@ int compare(const Parsed& parsed) {
   Json json = {{"equal", differences.empty()},
                {"datasets", std::ssize(pair.a) + added},  // that at least one of the files holds
                {"time", times_json(a, b)},
-               {"differences", Json::array()}};
+               {"differences", Json::array()},
+               {"parameters", parameters_json(a, b)},
+               {"ancestor", ancestor_json(a, b)},
+               {"first_sample", first_sample_json(pair)}};
   for (const auto& d : differences) json["differences"].push_back(difference_json(pair, d));
-  const bool all = parsed.values.count("all") > 0;
-  if (!all) json.update(summary_json(a, b, pair));
-  say("{}",
-      parsed.values.count("json") > 0 ? json_text(json) + "\n" : report_text(json, pair, all));
+  say("{}", parsed.values.count("json") > 0 ? json_text(json) + "\n" : text_of(json));
   return differences.empty() ? kDone : kFailed;
 }
 
@@ -150,15 +206,12 @@ constinit const Command diff_command = {
     "where and by how much two files differ",
     R"(Compares the parameters and the state of two checkpoints, or the series of two records. Like the
 content checksum, it ignores parameters that the interface law does not use. It prints the
-times of states if they differ, which parameters differ, the last file that both come from and
-its time, and how much else differs: of records, from which sample on. With --all it prints for each dataset how many values differ,
-the first of them, and the largest difference: absolute, relative and in units in the last
-place (ULP), each with its place, [row][column], and the values in A and B.
+times of states if they differ, which parameters differ, the last file that both come from, and
+how much else differs: of records, from which sample on. With --json it prints for each dataset
+how many values differ, the first of them, and the largest difference: absolute, relative and in
+units in the last place (ULP), each with its place and the values in A and B.
 Exit code 0: equal, 1: different.)",
-    {[](po::options_description& options) {
-       options.add_options()("all", "print each dataset that differs");
-     },
-     add_json_option},
+    {add_json_option},
     compare};
 
 }  // namespace rupture::tools

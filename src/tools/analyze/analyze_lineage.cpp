@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "analyze/analyze.hpp"
-#include "cli/report.hpp"
 #include "run/output.hpp"
 #include "run/rebuild.hpp"
 #include "rupture/checkpoint/verify.hpp"
@@ -133,16 +132,6 @@ std::string lineage_text(const Lineage& lineage) {
   return text;
 }
 
-/// {"kind", "checksum", "steps"}: docs/schema.md.
-Json lineage_json(const Lineage& lineage) {
-  Json steps = Json::array();
-  for (std::size_t i = 0; i < lineage.chain.size(); ++i) {
-    steps.push_back(tools::json_of(lineage.chain[i]));
-    steps.back()["checksum"] = lineage.checksum_after(i);
-  }
-  return {{"kind", kind_name(lineage.kind)}, {"checksum", lineage.checksum}, {"steps", steps}};
-}
-
 /// A shell script that makes a file of the same content, called `output`, and checks it and every
 /// file on the way. Throws Failure, saying which file to start from, if the first steps are not
 /// known; or if no step started from `start`, or a step is not a command of ours.
@@ -175,16 +164,6 @@ std::string rebuild_script(const Lineage& lineage, const std::string& output,
   return script;
 }
 
-void check_combination(const po::variables_map& values) {
-  const bool commands = values.count("commands") > 0;
-  if (commands && values.count("json") > 0) {
-    throw UsageError("--commands and --json cannot be combined: give one of them");
-  }
-  if (!commands && (values.count("from") > 0 || !values["output"].defaulted())) {
-    throw UsageError("--from and --output need --commands: add it");
-  }
-}
-
 }  // namespace
 
 constinit const Command lineage_command = {
@@ -195,20 +174,22 @@ constinit const Command lineage_command = {
     "written, the build, and the command that makes it from the file before. With --commands,\n"
     "prints a script of these commands, which also checks each file that it makes.",
     {[](po::options_description& options) {
-       auto add = options.add_options();
-       add("commands", "print a shell script that makes a file with the same content");
-       add("output,o", text("FILE")->default_value("rebuilt.h5"),
-           "name of the file that the script makes");
-       add("from", input_file("checkpoint or record"), "start the script from this ancestor");
-     },
-     add_json_option},
+      auto add = options.add_options();
+      add("commands", "print a shell script that makes a file with the same content");
+      add("output,o", text("FILE")->default_value("rebuilt.h5"),
+          "name of the file that the script makes");
+      add("from", input_file("checkpoint or record"), "start the script from this ancestor");
+    }},
     [](const Parsed& parsed) {
       const po::variables_map& values = parsed.values;
-      check_combination(values);
+      const bool commands = values.count("commands") > 0;
+      if (!commands && (values.count("from") > 0 || !values["output"].defaulted())) {
+        throw UsageError("--from and --output need --commands: add it");
+      }
       const auto path = single_input(parsed.values, "file", "a file");
       const ContentFile file = read_file(path);
       const Lineage lineage = {path, file.kind, file.checksum, read_provenance(file.content)};
-      if (values.count("commands") > 0) {
+      if (commands) {
         const auto output = file_to_write(values, "output");
         std::optional<StartFile> start;
         if (values.count("from") > 0) {
@@ -216,8 +197,6 @@ constinit const Command lineage_command = {
           start = {from, verify_file(from).checksum};
         }
         say("{}", rebuild_script(lineage, output.string(), start));
-      } else if (values.count("json") > 0) {
-        say("{}\n", json_text(lineage_json(lineage)));
       } else {
         say("{}", lineage_text(lineage));
       }

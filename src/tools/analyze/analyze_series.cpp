@@ -54,18 +54,21 @@ std::string slip_text(double x, const FirstRupture& rupture,
                     measure->t_to, measure->slow->r_squared);
 }
 
-/// `factor` times Eq. S1 with p at the rupture [m/s]. Without slow slip to expect, the next fast
-/// slip cannot be told.
-double fast_above(const Record& record, Eigen::Index block, double t_rupture, double factor) {
+/// Slip is fast above this many times Eq. S1.
+constexpr double kFast = 10.0;
+
+/// That speed with p at the rupture [m/s]. Without slow slip to expect, the next fast slip cannot
+/// be told.
+double fast_above(const Record& record, Eigen::Index block, double t_rupture) {
   const auto sample = std::ranges::lower_bound(record.time, t_rupture) - record.time.begin();
   const auto last = std::ssize(record.time) - 1;
   const double p = record.p(std::min(sample, last), block);
   const double estimate = slow_slip_estimate(record.parameters, block, p);
-  return estimate > 0.0 ? factor * estimate : std::numeric_limits<double>::infinity();
+  return estimate > 0.0 ? kFast * estimate : std::numeric_limits<double>::infinity();
 }
 
 /// The slip of one block in the window.
-Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fast) {
+Report slip_of(const RecordCommand& command, Eigen::Index block) {
   const Record& record = command.record;
   const Parameters& p = record.parameters;
   const FirstRupture rupture = rupture_of(command, static_cast<std::size_t>(block));
@@ -79,8 +82,7 @@ Report slip_of(const RecordCommand& command, Eigen::Index block, double next_fas
   }
   std::optional<SlipMeasure> measure;
   if (t_rupture && time.size() > 2) {
-    measure =
-        measure_slip({time, u_x}, *t_rupture, fast_above(record, block, *t_rupture, next_fast));
+    measure = measure_slip({time, u_x}, *t_rupture, fast_above(record, block, *t_rupture));
   }
   const auto measured = [&](double SlipMeasure::*member) {
     return measure ? std::optional((*measure).*member) : std::nullopt;
@@ -153,23 +155,21 @@ constinit const Command slip_command = {
     "record",
     "fast and slow slip of one block in a record",
     "Slip of one block: displacement since the start of the window, split into the fast\n"
-    "slip until the block first stops and the slow slip until it next slips fast.",
+    "slip until the block first stops and the slow slip until it next slips fast: faster than\n"
+    "10 times Eq. S1.",
     {add_format_options,
      [](po::options_description& options) {
        options.add_options()("x", number("X", "m")->required(),
                              "position of the block; the nearest block is used");
-       options.add_options()("next-fast", number("W")->default_value(10.0, "10"),
-                             "slow slip ends when the block moves faster than W times Eq. S1");
      },
      add_window_options},
     [](const Parsed& parsed) {
       const RecordCommand command = record_of(parsed);
       const double x = non_negative(parsed.values, "x");
       const Eigen::Index block = block_at(command.record.parameters, x, "x");
-      return print(slip_of(command, block, non_negative(parsed.values, "next-fast")),
-                   parsed.values);
+      return print(slip_of(command, block), parsed.values);
     },
-    [] { return slip_of({}, 0, 0.0).rows; }};
+    [] { return slip_of({}, 0).rows; }};
 
 constinit const Command loading_command = {
     "analyze loading RECORD",

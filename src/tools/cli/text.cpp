@@ -1,7 +1,5 @@
 #include "cli/text.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -9,34 +7,8 @@
 #include <sstream>
 
 #include "rupture/model/error.hpp"
-#include "rupture/model/laws.hpp"
 
 namespace rupture::tools {
-namespace {
-
-/// "; law: simplified" or "; laws: reference, decaying"; nothing if all laws use the parameter.
-std::string laws_text(const ParameterInfo& info) {
-  if (info.laws.empty()) return "";
-  const auto words = law_names(info.laws);
-  return fmt::format("; law{}: {}", words.size() > 1 ? "s" : "", fmt::join(words, ", "));
-}
-
-}  // namespace
-
-std::string parameter_help() {
-  std::string text;
-  const Parameters defaults;
-  for (const auto& info : parameter_table()) {
-    const auto words = info.valid.words;
-    const std::string unit =
-        words.empty() ? fmt::format("[{}]", info.unit) : fmt::format("[{}]", fmt::join(words, "|"));
-    text +=
-        fmt::format("  {:<26} {:>10} {:<22} {} ({}{})\n", info.name, parameter_text(defaults, info),
-                    unit, info.help, info.symbol, laws_text(info));
-  }
-  return text;
-}
-
 std::string text_of_file(const std::string& path, std::string_view what, std::string_view form,
                          std::size_t longest) {
   std::ifstream file(path);

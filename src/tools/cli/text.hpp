@@ -1,4 +1,4 @@
-// Text that the tools show: parameter help, numbers with units, lines without control characters.
+// Text that the tools show: numbers with units, lines without control characters.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,9 +29,6 @@ std::string text_of_file(const std::string& path, std::string_view what, std::st
                          std::size_t longest = 100'000);
 
 std::vector<std::string> split(std::string text, char separator);
-
-/// One line per parameter: name, symbol, default, unit, meaning.
-std::string parameter_help();
 
 /// 6000000 as "6,000,000".
 std::string grouped(double whole_number);

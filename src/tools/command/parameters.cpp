@@ -42,6 +42,28 @@ std::string text_of(const ParameterInfo& info) {
   return text;
 }
 
+/// "; law: simplified" or "; laws: reference, decaying"; nothing if all laws use the parameter.
+std::string laws_text(const ParameterInfo& info) {
+  if (info.laws.empty()) return "";
+  const auto words = law_names(info.laws);
+  return fmt::format("; law{}: {}", words.size() > 1 ? "s" : "", fmt::join(words, ", "));
+}
+
+/// One line per parameter: name, default, unit, meaning.
+std::string list_of_all() {
+  std::string text;
+  const Parameters defaults;
+  for (const auto& info : parameter_table()) {
+    const auto words = info.valid.words;
+    const std::string unit =
+        words.empty() ? fmt::format("[{}]", info.unit) : fmt::format("[{}]", fmt::join(words, "|"));
+    text +=
+        fmt::format("  {:<26} {:>10} {:<22} {} ({}{})\n", info.name, parameter_text(defaults, info),
+                    unit, info.help, info.symbol, laws_text(info));
+  }
+  return text;
+}
+
 int print_parameters(const Parsed& parsed) {
   const bool are_named = parsed.values.count("parameter") > 0;
   const Rows rows = are_named
@@ -54,7 +76,7 @@ int print_parameters(const Parsed& parsed) {
     std::ranges::transform(rows, std::back_inserter(texts), text_of);
     say("{}", fmt::join(texts, "\n"));
   } else {
-    say("Parameters: name, default, unit, meaning (symbol)\n{}", parameter_help());
+    say("Parameters: name, default, unit, meaning (symbol)\n{}", list_of_all());
   }
   return kDone;
 }

@@ -85,7 +85,7 @@ def completions(tools, parameters):
     found[""] = ["help:say how a tool is used", *found["help"], "--help", "--version"]
     for tool in tools:
         if tool["commands"]:
-            found[tool["name"]] = ["help", *explained(tool["commands"])]
+            found[tool["name"]] = explained(tool["commands"])
             found[f"help {tool['name']} "] = found[tool["name"]]
     for leaf in leaves(tools):
         name = leaf["name"]
