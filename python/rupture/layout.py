@@ -76,7 +76,7 @@ class Content(dict):
     def __init__(self, file, path, header, size):
         super().__init__()
         self.path, self.kind, self.size, self.room = path, header.split("-")[1], size, size
-        self.rows, self.is_part = dict(rows_of(self.kind)), header.endswith("-part")
+        self.rows = dict(rows_of(self.kind))
         for name in ("format", "schema_version", "content_checksum"):
             self.check_attribute(file.id, name, "the file")
         said, schema = text(file.attrs["format"]), file.attrs["schema_version"]
@@ -103,8 +103,6 @@ class Content(dict):
         for name, kind in links:
             path = f"{where}/{name.decode(errors='replace')}"
             row = re.sub("^/provenance/[^/]+", "/provenance/*", path)
-            if path == "/held" and self.is_part:  # of which `rupture finish` keeps what spans
-                continue
             item = h5o.open(group, name) if kind == h5l.TYPE_HARD else None
             if row in self.rows and isinstance(item, h5d.DatasetID):
                 self.add(item, path)

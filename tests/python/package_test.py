@@ -39,12 +39,12 @@ def recomputed(path):
     return subprocess.check_output(["/usr/bin/python3", ORACLE, path], text=True).strip()
 
 
-def killed(name, pieces, *options):
+def killed(name, pieces):
     """The `.part` of a run of the small slider that was killed when its record had so many."""
     part = Path(f"{name}-record.h5.part")
     command = [str(BIN / "load"), f"--config={SMALL}", "-q", "-o", f"{name}.h5", "--until", "0.2"]
     record = ["--record", f"{name}-record.h5", "--record-every", "2e-6"]
-    run = started([*command, *record, *options, "--checkpoint-every", "1e-4"], part, pieces)
+    run = started([*command, *record, "--checkpoint-every", "1e-4"], part, pieces)
     with h5py.File(part, "r") as first:  # while it is written
         blocks, samples = first["parameters/slider/Nx"][()], first["series/time"].shape
         note = first.attrs["note"].decode()
@@ -60,7 +60,7 @@ def fails(sentence, call, *arguments, **options):
 
 
 def test_a_part_is_the_beginning_of_the_record(small):
-    name = killed("part", 8, "--record-every-in-spanning-events=1e-6")  # which are held
+    name = killed("part", 4)
     part, again, whole = rupture.open(name), rupture.open(name), small.record
     assert np.array_equal(part["tau"], again["tau"])
     shared = min(len(part.time), len(whole.time))
