@@ -20,8 +20,8 @@ constexpr double kSmallStrain = 1.0 / 400;
 
 }  // namespace
 
-Bulk::Bulk(const Parameters& p, int bands, const Kernels& variant)
-    : kernels_(variant),
+Bulk::Bulk(const Parameters& p, int bands)
+    : kernels_(kernels()),
       parameters_(p),
       shape_{p.Nx, p.Nz, Field(p.Nx, p.Nz).stride()},
       mass_(block_mass(p)),

@@ -135,11 +135,6 @@ def test_what_cannot_be_a_command_is_refused_at_once(lab, line):
     assert lab.ran() == []
 
 
-def test_a_file_that_was_not_written_is_missed_with_a_sentence(lab):
-    with pytest.raises(Failure, match="'load -o a.h5' has not written a-t0.200000000.h5"):
-        open(run("load -o a.h5")["a-t0.200000000.h5"])
-
-
 def test_an_input_that_changes_meanwhile_is_no_input(lab):
     table = lab.write("table.csv", "a")
     made = run(f"load {table} -o a.h5")["a.h5"]

@@ -11,13 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from conftest import BIN, skip, wait_for
+from conftest import skip, wait_for
 from endings_test import sleeping
 from rupture import once
 from rupture.commands.workers import SCHEDULER, programs_of
 from rupture.errors import Failure, MachineFailure
 from rupture.once import each, run
-from stand_ins import SWEEP, Project
 
 pytest_plugins = "laboratory"
 
@@ -105,19 +104,6 @@ def test_results_are_those_of_one_machine(lab, workers):
     lab.call(**here)
     assert everything() == afar and len(afar[1]) == 16
     assert not [*Path(workers.folder).rglob("*.h5")]
-
-
-def test_a_sweep_has_the_table_of_one_machine(shared, tmp_path):
-    tables = []
-    places: dict[str, dict] = {"here": {}, "afar": {SCHEDULER: str(shared.file)}}
-    for folder, own in places.items():
-        (tmp_path / folder).mkdir()
-        project = Project(tmp_path / folder, os.environ | own)
-        (project.root / "my.ini").write_text(SWEEP)
-        done = project.call("sweep", "my.ini", "--programs", BIN)
-        assert done.returncode == 0, done.stderr
-        tables.append((project.root / "results/sweeps/my/my.csv").read_text())
-    assert tables[0] == tables[1] and tables[0].count("done") == 2
 
 
 def test_a_call_says_that_it_waits_for_workers(lab, workers, monkeypatch, capsys):

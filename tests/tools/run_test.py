@@ -165,9 +165,6 @@ def test_until_quiet_waits_for_the_pinned_fraction_that_was_asked_for():
     assert end < arrival() >= later["time"] - 2e-5
 
 
-# --- --resume
-
-
 # --- --dry-run
 
 

@@ -13,7 +13,7 @@ class Bulk {
   /// Divides the rows into `bands` of nearly equal height, for as many threads; at most one band
   /// per row. Neither their number nor the instruction set of the kernels changes a bit of any
   /// result.
-  explicit Bulk(const Parameters& parameters, int bands = 1, const Kernels& variant = kernels());
+  explicit Bulk(const Parameters& parameters, int bands = 1);
   Bulk(const Bulk&) = delete;
   Bulk& operator=(const Bulk&) = delete;
 

@@ -140,7 +140,4 @@ void check_arithmetic();
 /// if that one is unknown or the processor lacks it, Failure as check_arithmetic() does.
 const Kernels& kernels();
 
-/// The variant called `name`; null if this build does not hold it or this processor cannot run it.
-const Kernels* find_kernels(std::string_view name);
-
 }  // namespace rupture

@@ -44,9 +44,11 @@ const Kernels& choose() {
   check_arithmetic();
   const char* wanted = std::getenv("RUPTURE_ISA");
   if (wanted == nullptr || *wanted == '\0') return *available().front();
-  if (const Kernels* found = find_kernels(wanted)) return *found;
   std::vector<std::string_view> names;
-  for (const auto* variant : available()) names.push_back(variant->name);
+  for (const auto* variant : available()) {
+    if (variant->name == wanted) return *variant;
+    names.push_back(variant->name);
+  }
   throw UsageError(
       "RUPTURE_ISA = '{}' is not an instruction set of this processor and build: choose one of {}",
       wanted, fmt::join(names, ", "));
@@ -62,13 +64,6 @@ void check_arithmetic() {
       "this build computes other bits than every other one ({}): build rupture without options of "
       "the compiler and the linker that change floating-point results, such as -ffast-math",
       fault);
-}
-
-const Kernels* find_kernels(std::string_view name) {
-  for (const auto* variant : available()) {
-    if (variant->name == name) return variant;
-  }
-  return nullptr;
 }
 
 const Kernels& kernels() {

@@ -42,36 +42,6 @@ Front measure(RuptureLine line, const FrontCriteria& criteria = {}) {
 
 constexpr FrontCriteria kRaw = {.line = Line::raw};
 
-TEST(RuptureLine, holds_the_first_rupture_of_each_block_in_the_window) {
-  const std::vector<Rupture> ruptures = {{1, 0.1, 3}, {2, 0.2, 3}, {3, 0.3, 4},
-                                         {4, 0.4, 3}, {5, 0.5, 5}, {6, 0.25, 6}};
-  const RuptureLine line = rupture_line(Parameters{}, ruptures, 0.2, 0.4);
-  ASSERT_EQ(line.x.size(), kBlocks);
-  ASSERT_EQ(line.t_rupture.size(), kBlocks);
-  EXPECT_DOUBLE_EQ(line.x[4], 4 * kSpacing);
-  EXPECT_EQ(line.t_rupture[3], std::nullopt) << "it had ruptured before";
-  EXPECT_EQ(line.before[3], 0.1);
-  EXPECT_EQ(line.ruptured_before(), 1U);
-  EXPECT_EQ(line.t_rupture[4], 0.3);
-  EXPECT_EQ(line.t_rupture[5], std::nullopt);
-  EXPECT_EQ(line.t_rupture[6], 0.25);
-  EXPECT_EQ(line.t_rupture[0], std::nullopt);
-}
-
-TEST(FrontSpeed, is_the_inverse_slope_over_the_stencil) {
-  // blocks 20-24 take 3 fast intervals and a slow one
-  const RuptureLine line = slow_between(23, 40);
-  const auto v_c = front_speed(line.x, line.t_rupture, {});
-  EXPECT_NEAR(*v_c[22], 4.0 / (3.0 / kFast + 1.0 / kSlow), 1e-6);
-  const auto v_3 = front_speed(line.x, line.t_rupture, {.stencil = 3});
-  EXPECT_NEAR(*v_3[22], kFast, 1e-6 * kFast);
-  EXPECT_NEAR(*v_3[23], 2.0 / (1.0 / kFast + 1.0 / kSlow), 1e-6);
-  const auto v_7 = front_speed(line.x, line.t_rupture, {.stencil = 7});
-  EXPECT_NEAR(*v_7[22], 6.0 / (4.0 / kFast + 2.0 / kSlow), 1e-6);
-  EXPECT_FALSE(v_7[2]);
-  EXPECT_TRUE(v_7[3]);
-}
-
 TEST(FrontSpeed, has_no_value_near_the_edges_and_holes_or_where_the_ends_rupture_at_once) {
   RuptureLine line = line_of([](std::size_t) { return kFast; });
   line.t_rupture[30].reset();
@@ -111,16 +81,6 @@ TEST(Front, that_arrests_in_its_slow_stretch_has_no_speed_after_it) {
   EXPECT_DOUBLE_EQ(front.slow->x_to, 28 * kSpacing) << "the last with a whole stencil";
   EXPECT_TRUE(front.slow->fast_before);
   EXPECT_FALSE(front.slow->fast_after);
-}
-
-TEST(Front, is_slow_by_the_criteria_given) {
-  const double c_s = shear_wave_speed(Parameters{});
-  const RuptureLine fast = line_of([](std::size_t) { return kFast; });
-  const RuptureLine at_first = slow_between(0, 5);  // seen by stencils up to block 6, 15 mm
-  EXPECT_EQ(measure(at_first).type, FrontType::fast) << "in the loading zone";
-  EXPECT_EQ(measure(at_first, {.skip_below_x = 0.005}).type, FrontType::slow);
-  EXPECT_EQ(measure(slow_between(20, 35), {.slow_below = 0.5 * kSlow / c_s}).type, FrontType::fast);
-  EXPECT_EQ(measure(fast, {.slow_below = 2.0 * kFast / c_s}).type, FrontType::slow);
 }
 
 TEST(Front, tells_its_slowest_and_its_mean_speed) {
@@ -183,37 +143,6 @@ TEST(Front, is_fast_slow_fast_by_the_papers_words) {
 }
 
 // --- the contiguous front
-
-TEST(FrontTimes, are_the_latest_between_where_it_starts_and_the_block) {
-  const auto none = std::optional<double>();
-  EXPECT_EQ(front_times({1.0, 2.0, 3.0, 5.0, 4.0, none, 4.5, 6.0}),
-            FirstRuptures({1.0, 2.0, 3.0, 5.0, 5.0, none, 5.0, 6.0}));
-  EXPECT_EQ(front_times({9.0, 1.0, 2.0, 3.0}), FirstRuptures({9.0, 1.0, 2.0, 3.0}))
-      << "a block behind its start does not hold it up";
-  EXPECT_EQ(front_times({5.0, 3.0, 4.0, 1.0, 2.0}), FirstRuptures({5.0, 4.0, 4.0, 1.0, 2.0}))
-      << "to both sides of block 3";
-  EXPECT_EQ(front_times({none, none}), FirstRuptures({none, none}));
-}
-
-TEST(Front, is_not_moved_by_a_block_that_ruptures_alone_ahead_of_it) {
-  const RuptureLine whole = slow_between(20, 35);
-  RuptureLine line = whole;
-  line.t_rupture[30] = *line.t_rupture[30] - 2e-3;
-  const Front front = measure(line), raw = measure(line, kRaw), as_whole = measure(whole);
-  EXPECT_EQ(as_whole.ahead, 0U);
-  EXPECT_EQ(front.ahead, 1U);
-  EXPECT_EQ(front.backward_stencils, 0U);
-  EXPECT_GT(raw.backward_stencils, 0U);
-  EXPECT_EQ(front.t_front[30], front.t_front[29]);
-  for (const auto& [stretch, expected] :
-       {std::pair(front.slow, as_whole.slow), std::pair(front.in_words, as_whole.in_words)}) {
-    EXPECT_EQ(stretch->x_from, expected->x_from);
-    EXPECT_EQ(stretch->x_to, expected->x_to);
-    EXPECT_EQ(stretch->duration(), expected->duration());
-  }
-  EXPECT_LT(raw.slow->duration(), front.slow->duration()) << "cut at the block";
-  EXPECT_EQ(measure(whole, kRaw).v_c, as_whole.v_c) << "without such a block both are one";
-}
 
 TEST(Front, jumps_over_blocks_that_had_ruptured_and_is_fast_there) {
   RuptureLine line = slow_between(20, 35);

@@ -88,27 +88,6 @@ class Interface : public ::testing::Test {
   State before_;
 };
 
-TEST_F(Interface, is_measured_block_by_block) {
-  const BlockForces block = now()[2];
-  const double p_i = normal_forces(p_, state_)[2], f_N = p_i / 100.0;
-  EXPECT_DOUBLE_EQ(block.x, 2 * 2.5e-3);
-  EXPECT_DOUBLE_EQ(block.f_thres, 0.4 * f_N);
-  EXPECT_DOUBLE_EQ(block.f_slip, 0.17 * f_N);
-  EXPECT_DOUBLE_EQ(block.slipping, 0.1);
-  double sum = 0.0, squares = 0.0;
-  for (Eigen::Index j = 0; j < 100; ++j) {
-    const double f =
-        junction_stiffness(p_, 0, p_i) * (state_.u_x(2, 0) - state_.junctions.attachment(2, j));
-    EXPECT_DOUBLE_EQ(block.forces[static_cast<std::size_t>(j)], f);
-    sum += f;
-    squares += f * f;
-  }
-  EXPECT_NEAR(block.mean, sum / 100, 1e-14);
-  EXPECT_NEAR(block.sigma, std::sqrt(squares / 100 - sum * sum / 1e4), 1e-12);
-  EXPECT_DOUBLE_EQ(block.sigma_bar(), block.sigma / (0.23 * f_N));
-  EXPECT_NEAR(friction_forces(p_, state_)[2], sum, 1e-12);
-}
-
 TEST_F(Interface, has_the_properties_of_each_block) {
   const double k_ij = now()[1].k_ij, f_N = normal_forces(p_, state_)[1] / 100.0;
   p_.mu_s = AlongX<double>({0.4, 0.5, 0.4, 0.4, 0.4});
@@ -120,16 +99,6 @@ TEST_F(Interface, has_the_properties_of_each_block) {
   p_.law = Law::simplified;
   state_.junctions = State(p_).junctions;
   EXPECT_DOUBLE_EQ(now()[1].k_ij, 100.0 * 2.0 * k_ij) << "a single spring";
-}
-
-TEST(PhiChange, includes_both_ends_of_its_region_to_rounding) {
-  PhiChange change;
-  change.x_from = 0.3;
-  change.x_to = 0.7;
-  for (const double x : {std::nextafter(0.3, 0.0), std::nextafter(0.7, 1.0)}) {
-    EXPECT_TRUE(change.includes(x));
-  }
-  EXPECT_FALSE(change.includes(0.2999) || change.includes(0.7001));
 }
 
 TEST_F(Interface, becomes_as_wide_as_it_can_with_the_same_means) {

@@ -114,16 +114,6 @@ TEST_F(StrengthOfBlocks, is_in_units_of_each_block) {
   }
 }
 
-TEST_F(StrengthOfBlocks, leaves_out_the_slipping_junctions) {
-  carry(PhiShape::uniform, 0.0, 0.0);
-  state_.junctions.repin_time.col(3) = 1e-3;
-  state_.junctions.repin_time.col(77) = 1e-3;
-  for (const BlockStrength& block : block_strengths(p_, state_)) {
-    EXPECT_NEAR(block.slipping, 0.02, 1e-15);
-    EXPECT_NEAR(*block.mu_bar_eff, 0.98, 1e-12);
-  }
-}
-
 TEST_F(StrengthOfBlocks, has_no_value_without_contact) {
   state_.u_z(2, 0) = 1e-6;
   const BlockStrength block = block_strengths(p_, state_)[2];

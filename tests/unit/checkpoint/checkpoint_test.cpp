@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "fixtures.hpp"
 #include "rupture/version.hpp"
 
@@ -33,16 +31,6 @@ TEST_F(CheckpointFile, grows_by_little_with_each_step_of_its_provenance) {
   write(checkpoint);
   EXPECT_LT(fs::file_size(file("x.h5")), before + 100 * (1100 + 2 * 20));
   EXPECT_EQ(read_checkpoint(file("x.h5")).provenance, checkpoint.provenance);
-}
-
-TEST_F(CheckpointFile, with_nan_is_not_written) {
-  Checkpoint checkpoint = small_checkpoint();
-  checkpoint.state.junctions.repin_time(0, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(message_of<Failure>([&] { write(checkpoint); }),
-            file("x.h5").string() +
-                ": /state/junctions/repin_time holds nan at index 1 of [5][3]; "
-                "only finite numbers are stored");
-  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(CheckpointFile, of_a_run_remembers_what_the_run_has_seen) {

@@ -59,11 +59,4 @@ TEST_F(Damage, SLOW_of_a_checkpoint_at_any_bit_or_length_is_refused) {
   expect_all_damage_refused(slurp(file("x.h5")));
 }
 
-TEST_F(Damage, SLOW_of_a_record_at_any_bit_or_length_is_refused) {
-  RecordWriter writer(file("r.h5"), small_parameters(), {}, IfExists::replace);
-  for (int n = 0; n < 3; ++n) writer.append(small_sample(5, n));
-  writer.finish();
-  expect_all_damage_refused(slurp(file("r.h5")));
-}
-
 }  // namespace rupture::testing

@@ -46,21 +46,6 @@ class RecordFile : public InFolder {
   }
 };
 
-TEST_F(RecordFile, returns_what_was_appended) {
-  auto out = writer("r.h5", 7);
-  append(out, 0, 40);
-  const std::string checksum = out.finish();
-  const Record record = read_record(file("r.h5"));
-  expect_samples(record, 40);
-  EXPECT_EQ(record.parameters, small_parameters());
-  EXPECT_EQ(record.provenance, small_checkpoint().provenance);
-  ASSERT_EQ(record.ruptures.size(), 10U);
-  EXPECT_EQ(record.ruptures[9], (Rupture{3600, 0.001 * 36, 1}));
-  EXPECT_EQ(verify_file(file("r.h5")).checksum, checksum);
-  EXPECT_EQ(identify(file("r.h5")), FileKind::record);
-  EXPECT_EQ(names(), std::vector<std::string>{"r.h5"});
-}
-
 TEST_F(RecordFile, has_the_same_bytes_however_often_it_was_flushed) {
   auto often = writer("a.h5", 1);
   append(often, 0, 100);

@@ -1,4 +1,5 @@
-// The guard: silent in runs that mean something, and every finding from a state made to trigger it.
+// The guard: every finding from a state made to trigger it, and silence where one might be
+// expected. It is silent in all runs of golden/, under each law.
 #include "rupture/dynamics/guard.hpp"
 
 #include <gtest/gtest.h>
@@ -36,20 +37,6 @@ void expect_one(const std::vector<Finding>& found, Check check, Severity severit
   }
 }
 
-class QuietGuard : public ::testing::TestWithParam<Law> {};
-
-TEST_P(QuietGuard, says_nothing_through_a_rupture) {
-  for (const std::int64_t interval : {1, 10, 100, 3000}) {
-    const Parameters p = quick_slider(GetParam());
-    Simulation simulation(p, normal_load_equilibrium(p));
-    EXPECT_TRUE(watch(simulation, static_cast<int>(3000 / interval), interval).empty());
-    EXPECT_GE(simulation.ruptures().size(), 9U);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Laws, QuietGuard, ::testing::ValuesIn(kAllLaws),
-                         [](const auto& law) { return law_name(law.param); });
-
 TEST(Guard, says_nothing_at_rest_where_the_energy_account_is_all_rounding) {
   const Parameters p = prepared_slider();
   Prestress prestress = quick_prestress();
@@ -58,12 +45,6 @@ TEST(Guard, says_nothing_at_rest_where_the_energy_account_is_all_rounding) {
   const Energies before = simulation.energies();
   EXPECT_TRUE(watch(simulation, 20, 5000).empty());
   EXPECT_GT(energy_balance(before, simulation.energies(), simulation.work()).relative_error(), 0.1);
-}
-
-TEST(Guard, says_nothing_about_the_event_of_a_prepared_interface) {
-  const Parameters p = prepared_slider();
-  Simulation simulation(p, prepared_state(p, quick_prestress()));
-  EXPECT_TRUE(watch(simulation, 100, 10).empty());
 }
 
 TEST(Guard, says_nothing_about_junctions_exactly_at_their_strength) {

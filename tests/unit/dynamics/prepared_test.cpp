@@ -33,17 +33,6 @@ TEST_F(Prepared, has_the_same_p_on_every_block_which_the_ceiling_bears) {
   EXPECT_NEAR(borne, p_.F_N, 1e-10 * p_.F_N);
 }
 
-// Claim S3: tau_0/p = 0.17 + 0.2 * 0.23 beyond the trigger region and 0.17 + 0.3 * 0.23 in it.
-TEST_F(Prepared, carries_the_prescribed_prestress) {
-  Prestress pinned = prestress_;
-  pinned.trigger = Trigger::pinned;
-  const auto tau = friction_forces(p_, prepared_state(p_, pinned));
-  for (std::size_t i = 0; i < tau.size(); ++i) {
-    const double wanted = (i < kTriggered ? 0.239 : 0.216) * p_.F_N / 57.0;
-    EXPECT_NEAR(tau[i], wanted, 1e-12 * wanted) << "block " << i;
-  }
-}
-
 TEST_F(Prepared, stays_at_rest_while_nothing_is_depinned) {
   Prestress pinned = prestress_;
   pinned.trigger = Trigger::pinned;
@@ -143,20 +132,6 @@ TEST_F(PreparedSprings, carry_what_the_junctions_of_the_reference_law_carry) {
     EXPECT_NEAR(tau[i], wanted[i], 1e-11 * normal_) << "block " << i;
   }
   EXPECT_LT((state.f_x.blocks() - reference.f_x.blocks()).abs().maxCoeff(), 1e-11 * normal_);
-}
-
-TEST_F(PreparedSprings, of_the_trigger_region_have_just_broken) {
-  const State state = prepared_state(p_, {0.2});
-  for (Eigen::Index i = 0; i < p_.Nx; ++i) {
-    EXPECT_EQ(pinned_fraction(state.junctions, i), i < 9 ? 0.0 : 1.0);
-    EXPECT_EQ(state.junctions.slow_until(i, 0), i < 9 ? p_.t_R[0] : 0.0);
-  }
-  EXPECT_EQ(state.junctions.draws.sum(), 0U);
-}
-
-TEST_F(PreparedSprings, have_no_width) {
-  EXPECT_EQ(largest_sigma_bar(p_, {0.2}), 0.0);
-  EXPECT_THROW(prepared_state(p_, {0.2, 0.1}), UsageError);
 }
 
 }  // namespace rupture::testing

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "rupture/model/derived.hpp"
+#include "rupture/model/user_text.hpp"
 #include "support/sliders.hpp"
 
 namespace rupture::testing {
@@ -97,6 +98,14 @@ TEST(SetParameter, takes_multiples_of_its_unit_and_whole_numbers_in_any_notation
       {"slider.Nx", "1e3", "1000"},
       {"slider.Nx", "57.0", "57"},
       {"slider.Nx", "1.5e2", "150"},
+      {"numerics.dt", "3e2  ns", "3e-07"},
+      {"numerics.dt", "3E+2ns", "3e-07"},
+      {"numerics.dt", "0.3µs", "3e-07"},  // U+00B5
+      {"numerics.dt", "0.3μs", "3e-07"},  // U+03BC
+      {"slider.E", "3GPa", "3000000000"},
+      {"driving.K", "4MN/m", "4000000"},
+      {"slider.F_N", "1.92kN", "1920"},
+      {"driving.V", "0.4mm/s", "0.0004"},
       {"numerics.seed", "8999999999999999", "8999999999999999"},
       {"numerics.seed", "9e15", "9000000000000000"}};
   for (const auto& [name, text, value] : rows) {
@@ -104,6 +113,7 @@ TEST(SetParameter, takes_multiples_of_its_unit_and_whole_numbers_in_any_notation
     set_parameter(p, name, text);
     EXPECT_EQ(parameter_text(p, find_parameter(name)), value);
   }
+  EXPECT_EQ(in_unit("1e-9223372036854775808mm", "m"), "1e-9223372036854775808") << "as good as 0";
 }
 
 struct Refusal {
@@ -122,6 +132,14 @@ TEST(SetParameter, says_what_it_does_not_take) {
        {"", "abc", "1e", "+-1", "0.14kg", "0.14Mm", " 1", "1 ", "0x10", "1,5"},
        "slider.L = '...' is not a number (unit m, mm, um or nm)"},
       {"slider.L", {"0", "1001", "2e6mm"}, "slider.L must be above 0 and at most 1000 m (got ...)"},
+      {"junctions.t_R",
+       {"10Ms", "10ks", "10xs", "10 ms ", "10msms", "ms", "ten"},
+       "junctions.t_R = '...' is not a number (unit s, ms, us or ns)"},
+      {"slider.M",
+       {"80kgg", "80t"},
+       "slider.M = '...' is not a number (unit kg, g, Gg, Mg, mg, ug or ng)"},
+      {"v", {"1"}, "unknown parameter 'v': did you mean 'driving.V'?"},
+      {"slider.nx", {"1"}, "unknown parameter 'slider.nx': did you mean 'slider.Nx'?"},
       {"slider.Nx",
        {"57m", "57.5", "1.5", "1e-1", "5e1x", "nan", "ten", ""},
        "slider.Nx = '...' is not a whole number"},
