@@ -47,7 +47,7 @@ class Recorder : public Observer {
   Sampler series_;
   std::optional<Sampler> fields_;
   const std::optional<Interval> in_events_;
-  const bool holds_;                  // those in events: only if they span they count
+  const bool holds_;                  // what is sampled in events alone
   std::int64_t next_look_ = no_step;  // whether an event is under way
   std::size_t ruptures_written_ = 0;
 };
