@@ -135,7 +135,7 @@ class File(Mapping):
 
     @property
     def paths(self):
-        others = ("/parameters/", "/provenance/", "/run/")
+        others = ("/parameters/", "/provenance/", "/run/", "/alarm/")
         return [path[1:] for path in self.content if not path.startswith(others)]
 
     def units(self, name):

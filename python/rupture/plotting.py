@@ -2,6 +2,7 @@
 
 import logging
 import os
+import re
 
 import numpy as np
 
@@ -91,6 +92,23 @@ def along_interface(axes):
     """The axis x/L, with ticks that do not run into those of the next panel."""
     axes.set(xlabel="$x/L$", xlim=(0, 1))
     axes.set_xticks([0, 0.2, 0.4, 0.6, 0.8, 1], ["0", "0.2", "0.4", "0.6", "0.8", "1"])
+
+
+def draw_profile(axes, described, lines, **look):
+    """Draws in a thin panel what a parameter is along x. `described` is its row of `rupture
+    parameters --json`; `lines`: places and values of each line, in SI units; words are numbers."""
+    symbol = re.sub(r"\b(mu|kappa|delta)(?![a-z])", r"\\\1", described["symbol"].strip("-"))
+    symbol = re.sub(r"_(\w+)", r"_{\1}", symbol)
+    for x, values in lines:
+        axes.plot(x, values, **look)
+    found = np.concatenate([values for _, values in lines])
+    words, ends = described.get("words"), (found.min(), found.max())
+    low, high = (words[int(end)] if words else f"{end:.4g}" for end in ends)
+    unit = described["unit"].replace("1", "")
+    name = f"${symbol}$, {described['name']}" if symbol else described["name"]
+    axes.set_title(f"{name}: {low} to {high} {unit}".rstrip(), loc="left", fontsize=6.5, pad=2)
+    axes.margins(y=0.2)
+    axes.set(xticks=[], yticks=[])
 
 
 def draw_image(axes, record, values, rows, t_zero, **look):

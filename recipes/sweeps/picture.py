@@ -9,11 +9,11 @@ from matplotlib.ticker import NullLocator
 
 from measure.map_panels import COLOURS
 from rupture.figures import BLACK, DOUBLE, LINES, MM, SINGLE, VERMILION, figure, save
-from rupture.plotting import MAP
+from rupture.plotting import MAP, draw_profile
 from rupture.units import in_si
 
 SEEDS = ("seed", "numerics.seed")
-PANEL = 62 * MM  # height [inch]
+PANEL, STRIP = 62 * MM, 9 * MM  # heights [inch]
 QUARTILES = (0.25, 0.5, 0.75)
 HATCHED = {"cmap": ListedColormap(["0.85"]), "hatch": "////", "edgecolor": "0.6", "linewidth": 0}
 FEW = 20  # places of a logarithmic axis that have their numbers, and panels
@@ -182,6 +182,15 @@ def draw_map(fig, axes, x, y, z, done):
 # --- the picture ---------------------------------------------------------------------------
 
 
+def draw_strips(panels, varying):
+    """Draws what each parameter is along x at the points; the other panels go."""
+    for axes, (described, lines) in zip(panels, varying):
+        draw_profile(axes, described, lines, color=LINES[0], alpha=0.7)
+        axes.margins(x=0)
+    for axes in panels[len(varying) :]:
+        axes.remove()
+
+
 def draw_columns(stem, sweep, columns):
     """Writes the picture, or says why there is none."""
     by_name = {column.name: column for column in columns}
@@ -197,12 +206,16 @@ def draw_columns(stem, sweep, columns):
         return f"No picture: there are {len(measured)} quantities; up to {FEW} are drawn."
     done = np.array([status == "done" for status in by_name["status"].cells])
     beside = min(2, len(measured))
-    below = -(-len(measured) // beside)
-    size = (SINGLE if beside == 1 else DOUBLE, PANEL * below)
-    fig, grid = figure(*size, nrows=below, ncols=beside, squeeze=False)
-    for axes in grid.flat[len(measured) :]:
+    below, above = (-(-len(ones) // beside) for ones in (measured, sweep.along_x))
+    heights = above * [STRIP] + below * [PANEL]
+    size = (SINGLE if beside == 1 else DOUBLE, sum(heights))
+    rows = {"nrows": len(heights), "gridspec_kw": {"height_ratios": heights}}
+    fig, grid = figure(*size, **rows, ncols=beside, squeeze=False)
+    draw_strips(grid[:above].flat, sweep.along_x)
+    panels = grid[above:].flat
+    for axes in panels[len(measured) :]:
         axes.remove()
-    for axes, quantity in zip(grid.flat, measured):
+    for axes, quantity in zip(panels, measured):
         if len(varied) == 1:
             draw_line(axes, varied[0], quantity, done)
         else:
@@ -212,6 +225,7 @@ def draw_columns(stem, sweep, columns):
     notes = {
         f"{line}: median of {seeds} seeds{', band: quartiles' * (line == 'line')}": seeds > 1,
         f"{crosses}: not done": not done.all(),
+        "strips: along x": above > 0,
         "dashes: no value": any(np.isnan(q.positions[done]).any() for q in measured),
     }
     note = "; ".join(text for text, applies in notes.items() if applies)

@@ -10,6 +10,7 @@ from rupture.errors import Failure, UsageError
 from rupture.programs import output_of
 from rupture.tools.command_line import check_known, suggestion
 from rupture.units import in_si, unit_in
+from sweeps.along import lines_along_x
 from sweeps.text import Text, existing, is_values, name_of
 from sweeps.values import HEADING, check_length, combined, references, rows_in, values_of
 from sweeps.words import PLAIN, VALUES, Command, Described, Later, file_in, options_of
@@ -167,6 +168,10 @@ class Sweep:
             if not PLAIN.fullmatch(name):
                 raise UsageError(f"'{name}' is not the name of a file in the point's own folder")
         return names
+
+    @cached_property
+    def along_x(self):
+        return lines_along_x(self)
 
     # --- what is measured ----------------------------------------------------------------------
 

@@ -83,6 +83,9 @@ double effective_strength(PhiShape shape, double sigma_bar) {
 
 double largest_friction(const JunctionForces& forces) {
   auto pinned = forces.pinned;
+  const double sum = std::accumulate(pinned.begin(), pinned.end(), 0.0) +
+                     std::accumulate(forces.slipping.begin(), forces.slipping.end(), 0.0);
+  if (!std::isfinite(sum)) return sum;  // after an alarm; such numbers have no order
   // rounding can put a junction that is about to break beyond f_thres
   for (double& f : pinned) f = std::min(f, forces.f_thres);
   std::sort(pinned.begin(), pinned.end(), std::greater<>());

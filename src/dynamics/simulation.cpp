@@ -241,13 +241,13 @@ void Simulation::report_blow_up() const {
   for (Eigen::Index j = 0; j < parameters_.Nz; ++j) {
     for (Eigen::Index i = 0; i < parameters_.Nx; ++i) {
       if (std::isfinite(state_.v_x(i, j)) && std::isfinite(state_.v_z(i, j))) continue;
-      throw Failure(
+      throw Alarm(
           "numerical blow-up at t = {:.7g} s in block ({}, {}): start again with a "
           "smaller numerics.dt or change the parameters by less",
           time(), i, j);
     }
   }
-  throw Failure("numerical blow-up at t = {:.7g} s", time());
+  throw Alarm("numerical blow-up at t = {:.7g} s", time());
 }
 
 State continued(State state, const Parameters& after) {

@@ -89,6 +89,12 @@ def test_rows_have_their_own_times_and_patches(small):
     axes = figure_of([*shown], since_event=False).axes
     assert [axes[row].get_ylim() for row in (0, 3)] == [(0, 2), (2, 12)]
     assert [len(axes[row].lines) for row in (0, 3)] == [0, 6]
+    strips = [strip for panel in axes[:6] for strip in panel.child_axes]
+    assert [strip.get_title("left") for strip in strips] == [
+        r"$\mu_{s}$, junctions.mu_s: 0.4 to 0.5",
+        "$t_{R}$, junctions.t_R: 0.0001 to 0.0002 s",
+    ]
+    np.testing.assert_array_equal(strips[1].lines[0].get_ydata(), [1e-4, *16 * [2e-4]])
 
 
 def test_patches_are_marked_where_they_and_slopes_begin_and_end():

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+import rupture
 from conftest import ROOT
 from rupture.errors import Failure, UsageError
 from sweeps.sweep import Sweep
@@ -89,6 +90,25 @@ def test_what_is_innocent_is_taken(read, part, new, expected):
     found = words(read(SWEEP.replace(part, new, 1)))
     wanted = expected.split("|") if "|" in expected else expected.split(" ")
     assert any(found[n : n + len(wanted)] == wanted for n in range(len(found)))
+
+
+def test_what_varies_along_x_at_some_point_is_known(read):
+    Path("p.csv").write_text("x [mm],junctions.t_R [ms]\n0,2\n140,1\n")
+    options = "{values} --profile p.csv --set=junctions.mu_d=0.2 --set junctions.kappa=1e9,2e9"
+    values = f"{VALUES}\njunctions.mu_s = {ALONG_X} and 0.3 from 0 to 7mm"
+    text = SWEEP.replace("{values}", options).replace(VALUES, values)
+    lines = {row["name"]: found for row, found in read(text).along_x}
+    assert [*lines] == ["junctions.mu_s", "junctions.kappa", "junctions.t_R"]
+    parts = ([0.07, 0.084], [0.5, 0.5]), ([0, 0.007], [0.3, 0.3])
+    assert lines["junctions.mu_s"] == [*parts, ([0, 0.14], [0.4, 0.4])]
+    assert lines["junctions.t_R"] == [([0, 0.14], [0.002, 0.001])]
+    assert not read(SWEEP).along_x
+    rupture.run("restart", "base.h5", output="patch.h5", for_=0, set={"junctions.mu_s": ALONG_X})
+    text = SWEEP.replace("[sweep]", "[sweep]\nbase = patch.h5").replace("prepare", "restart {base}")
+    text = text.replace("{values}", "{values} --for 0").replace("tau-bar = 0.1, 0.2", "seed = 1, 2")
+    ((row, ((x, line),)),) = read(text).along_x
+    assert (row["name"], len(x), {*line}) == ("junctions.mu_s", 57, {0.4, 0.5})
+    assert not read(text.replace("seed", "junctions.mu_s")).along_x
 
 
 def test_columns_of_a_table_may_be_named_in_braces_and_have_blanks_and_quotes(read):

@@ -18,7 +18,7 @@ from sweeps.table import Column, columns_of, summary, write_csv
 def made_up(**known):
     """A sweep."""
     empty = {"title": "A", "points": [], "columns": {}, "kept": [], "units": {}, "typed": {}}
-    return SimpleNamespace(**empty | {"varied": [], "axis": ""} | known)
+    return SimpleNamespace(**empty | {"varied": [], "axis": "", "along_x": []} | known)
 
 
 # --- tables -----------------------------------------------------------------------------------
@@ -144,6 +144,18 @@ def test_pictures_of_one_value_with_seeds_and_of_two(folder, values, results, st
     assert draw("a", *sweep_of(values, results, status)) == ""
     assert {*folder.iterdir()} == {folder / "a.png", folder / "a.pdf"}
     assert all(share("a.png", colour) > limit for colour, limit in least.items())
+
+
+def test_strips_show_what_varies_along_x(folder):
+    row = {"name": "junctions.f_new", "symbol": "f_new", "unit": "", "words": ["zero", "f_slip"]}
+    sweep, columns = sweep_of({V: ["1", "2"]}, *TWO)
+    sweep.along_x = [(row, [([0, 0.14], [0, 0]), ([0.07, 0.084], [1, 1])])]
+    with mock.patch("sweeps.picture.save") as saved:
+        assert draw("a", sweep, columns) == ""
+    strip, panel = saved.call_args[0][0].axes
+    assert strip.get_title("left") == "$f_{new}$, junctions.f_new: zero to f_slip"
+    assert strip.get_xlim() == (0, 0.14)
+    assert strip.get_position().height < panel.get_position().height / 3
 
 
 def test_a_dash_and_a_note_where_there_is_no_value(folder):

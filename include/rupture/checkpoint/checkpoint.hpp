@@ -14,6 +14,7 @@ struct Checkpoint {
   State state;
   std::vector<ProvenanceEntry> provenance;  ///< oldest first
   std::optional<RunSoFar> run = {};         ///< of the run that wrote it, if it was a run
+  std::string alarm = {};                   ///< that stopped the run in this state, if one did
   std::string checksum = {};  ///< of the content of the file that was read; empty if none was
 };
 

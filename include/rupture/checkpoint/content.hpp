@@ -153,7 +153,11 @@ void expect_as_written(const Content& content, const Content& written);
 void refuse_others(const Content& content, std::string_view group, const Content& known,
                    std::string_view words);
 
-/// Throws Failure, naming dataset and index, if a float anywhere is NaN or infinite.
+/// What an alarm said that stopped a run; in the checkpoint of its state alone.
+inline constexpr const char* kAlarmPath = "/alarm/sentence";
+
+/// Throws Failure, naming dataset and index, if a float anywhere is NaN or infinite. In the
+/// checkpoint of an alarm, one of the state may be.
 void check_finite(const Content& content);
 
 /// A file's kind and datasets.

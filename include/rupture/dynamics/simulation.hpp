@@ -20,12 +20,18 @@
 #include "rupture/dynamics/energy.hpp"
 #include "rupture/forces/bulk.hpp"
 #include "rupture/forces/interface_law.hpp"
+#include "rupture/model/error.hpp"
 #include "rupture/model/normal_contact.hpp"
 #include "rupture/model/rupture.hpp"
 
 namespace rupture {
 
 class Helpers;
+
+/// Thrown when the state of a run has become meaningless (docs/guard.md).
+struct Alarm : Failure {
+  using Failure::Failure;
+};
 
 class Simulation {
  public:
@@ -39,8 +45,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Moves the state by `steps` >= 0 steps. Throws Failure (time and block) when a number stops
-  /// being finite; the state is then of no use.
+  /// Moves the state by `steps` >= 0 steps. Throws Alarm (time and block) when a number stops
+  /// being finite.
   void advance(std::int64_t steps = 1);
   /// From now on, advance() ends at the step at which this block ruptures.
   void stop_at_rupture_of(std::optional<std::int64_t> block);

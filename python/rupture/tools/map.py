@@ -1,13 +1,14 @@
 """map: a picture of one or several records in space and time."""
 
 import itertools
+import json
 from collections import namedtuple
 
 import numpy as np
 
 from rupture import plotting
 from rupture.errors import Failure, UsageError
-from rupture.programs import analyze
+from rupture.programs import analyze, output_of
 from rupture.tables import imported
 from rupture.tools.command_line import Parser
 from rupture.tools.output import check_output, complete, origin_of, progress, say_written
@@ -16,6 +17,7 @@ from rupture.tools.window import add_window, last_rupture, open_record, window_o
 SLOWEST = 1e-4  # the speed at which the colours begin [m/s]
 NAMED = 8  # the most events that get a colour of their own
 LINE = 0.026  # height of an event's number, of that of the panel
+STRIP, APART = 0.07, 0.16  # height of the strip of a parameter, and from one to the next
 Shown = namedtuple("Shown", "path record events window")  # a record, and what is drawn of it
 LEGEND = "Marks at the right: an event begins."
 LINE_LEGEND, SPEEDS_LEGEND = "White line: blocks rupture.", "Grey speeds exceed $c_s$."
@@ -148,6 +150,21 @@ def mark_patches(axes, patches):
             axes.axvline(x, color=colour, linestyle=style, linewidth=0.7)
 
 
+def draw_strips(row, record):
+    """Draws above the maps of a row what varies along x. Returns the height of it all, of that of a
+    map."""
+    varying = {n: values for n, values in record.parameters.items() if isinstance(values, list)}
+    known = json.loads(output_of("parameters", "--json"))["parameters"] if varying else ()
+    for number, one in enumerate(one for one in known if one["name"] in varying):
+        values, words = varying[one["name"]], one.get("words")
+        line = record.x / record.x[-1], [*map(words.index, values)] if words else values
+        height = 1.02 + APART * (number // len(row))
+        strip = row[number % len(row)].inset_axes([0, height, 1, STRIP])
+        plotting.draw_profile(strip, one, [line], color=plotting.BLACK, drawstyle="steps-mid")
+        strip.set_xlim(0, 1)
+    return APART * -(-len(varying) // len(row))
+
+
 def gaps_of(record, times):
     """Behind which blocks the line of a front breaks off [indices], where it is at these times: of
     two neighbours, one was pinned again before the other ruptured."""
@@ -218,8 +235,7 @@ def figure_of(shown, since_event):
         (one.record, plotting.rows_in(one.record, t_zero, window), t_zero)
         for one, t_zero, window in zip(shown, t_zeros, windows)
     ]
-    pyplot = plotting.pyplot_without_window()
-    figure = pyplot.figure(figsize=(10, 4.2 + 2.8 * (len(shown) - 1)))
+    figure = plotting.pyplot_without_window().figure(figsize=(10, 4.2 + 2.8 * (len(shown) - 1)))
     grid = figure.add_gridspec(len(shown), 4)
     maps = np.array(
         [[figure.add_subplot(grid[row, n]) for n in range(3)] for row in range(len(shown))]
@@ -238,9 +254,10 @@ def figure_of(shown, since_event):
             mark_patches(panel, changes)
             mark_events(panel, one.events, t_zero, numbered=panel is row[2])
             panel.label_outer()
+        above = draw_strips(row, one.record)
         row[0].set_ylabel("time since the event began [ms]" if single else "time [ms]")
         if len(shown) > 1:
-            row[0].set_title(title_of(one, t_zero), loc="left")
+            row[0].set_title(title_of(one, t_zero), loc="left", y=1 + above)
     maps[0, 2].set_title("event", loc="right", x=1.2, fontsize=6.5, y=1.0)
     if patches.count(patches[0]) == len(patches):
         mark_patches(last, patches[0])

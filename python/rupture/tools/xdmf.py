@@ -53,7 +53,7 @@ def short(time):
 def arrays_of(checkpoint):
     found = {name: checkpoint[name] for name in DISPLACEMENT}
     report = analyze("stress", checkpoint)
-    found |= {name: report[name] for name in FORCES}
+    found |= {name: np.array(report[name], dtype=float) for name in FORCES}  # None is NaN
     return found | {"pinned_fraction": checkpoint.pinned_fraction}
 
 

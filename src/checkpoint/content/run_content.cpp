@@ -9,6 +9,7 @@ namespace rupture {
 namespace {
 
 constexpr Row<std::string> kId = {"/run/id", "1"};
+constexpr Row<std::string> kAlarm = {kAlarmPath, "1"};
 constexpr Row<double> kRecordEvery = {"/run/record_every", "s"};
 constexpr Row<double> kFieldsEvery = {"/run/fields_every", "s"};
 constexpr Row<double> kEveryInEvents = {"/run/record_every_in_events", "s"};
@@ -166,9 +167,10 @@ DatasetInfos run_datasets(FileKind kind) {
     return {kId,          kEvent,         kLastRupture, kRecordEvery,
             kFieldsEvery, kEveryInEvents, kQuietTime,   kEveryInSpanning};
   }
-  return {kId,           kFirstStep,    kLastBreak,      kRuptures,  kLeadingEdge,
-          kSpanned,      kEvent,        kLastRupture,    kQuietTime, kQuietSteps,
-          kArrivedBelow, kUntilSpanned, kUntilRuptureOf, kCondition, kConditionEvery};
+  return {kAlarm,         kId,           kFirstStep,    kLastBreak,      kRuptures,
+          kLeadingEdge,   kSpanned,      kEvent,        kLastRupture,    kQuietTime,
+          kQuietSteps,    kArrivedBelow, kUntilSpanned, kUntilRuptureOf, kCondition,
+          kConditionEvery};
 }
 
 }  // namespace rupture

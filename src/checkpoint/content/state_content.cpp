@@ -94,7 +94,7 @@ std::string path_of(const SpringMemory& memory) {
 void check_memory(const SpringMemory& memory, double repin_time, double remembered,
                   Eigen::Index block, Eigen::Index junction) {
   const bool slips_as_written = repin_time == Junctions::unknown && remembered != 0.0;
-  if (remembered >= memory.minimum && (!is_slipping(repin_time) || slips_as_written)) return;
+  if (!(remembered < memory.minimum) && (!is_slipping(repin_time) || slips_as_written)) return;
   fail(
       "junction {} of block {} has {} = {} s and {} = {} {}; expected 0 s and{} another value than "
       "0 if it is slipping",

@@ -11,6 +11,7 @@ Content checkpoint_content(const Checkpoint& checkpoint) {
   content.merge(state_content(checkpoint.state));
   content.merge(provenance_content(checkpoint.provenance));
   if (checkpoint.run) content.merge(run_content(*checkpoint.run));
+  if (!checkpoint.alarm.empty()) content[kAlarmPath] = make_text(checkpoint.alarm);
   return content;
 }
 
@@ -25,6 +26,7 @@ Checkpoint checkpoint_from(const Content& content) {
   checkpoint.state = read_state(content, checkpoint.parameters);
   checkpoint.provenance = read_provenance(content);
   checkpoint.run = read_run(content, checkpoint.parameters, checkpoint.state.step);
+  if (content.contains(kAlarmPath)) checkpoint.alarm = read_text(content, kAlarmPath);
   refuse_others(content, "", checkpoint_content(checkpoint),
                 "is not part of a checkpoint: use a newer rupture, or remove it if another "
                 "program added it");

@@ -16,6 +16,9 @@ extern const Command steady_state_command, quantities_command;
 // of any file
 extern const Command checksum_command, verify_command, diff_command, show_command, lineage_command;
 
+/// A line about the alarm that stopped a run in the state of a file; nothing if it is of none.
+std::string alarm_text(const Content& content);
+
 /// Reads the checkpoint that was named. `wanted` is what the error asks for if there is none.
 Checkpoint checkpoint_of(const Parsed& parsed, const std::string& wanted = "a checkpoint");
 

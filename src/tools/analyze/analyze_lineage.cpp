@@ -198,7 +198,7 @@ constinit const Command lineage_command = {
         }
         say("{}", rebuild_script(lineage, output.string(), start));
       } else {
-        say("{}", lineage_text(lineage));
+        say("{}{}", lineage_text(lineage), alarm_text(file.content));
       }
       return int{kDone};
     }};

@@ -23,6 +23,16 @@ std::string kind_summary(const ContentFile& file) {
                      record.time.back(), record.ruptures.size());
 }
 
+}  // namespace
+
+std::string alarm_text(const Content& content) {
+  if (!content.contains(kAlarmPath)) return "";
+  return fmt::format("an alarm stopped the run in this state, which means nothing: {}\n",
+                     in_one_line(read_text(content, kAlarmPath)));
+}
+
+namespace {
+
 int show(const Parsed& parsed) {
   const auto path = single_input(parsed.values, "file", "a file");
   const ContentFile file = read_file(path);
@@ -33,12 +43,13 @@ int show(const Parsed& parsed) {
     for (const auto& info : parameter_table()) {
       json["parameters"][std::string(info.name)] = tools::json_of(parameters, info);
     }
+    if (file.content.contains(kAlarmPath)) json["alarm"] = read_text(file.content, kAlarmPath);
     json["provenance"] = Json::array();
     for (const auto& entry : chain) json["provenance"].push_back(tools::json_of(entry));
     say("{}\n", json_text(json));
     return kDone;
   }
-  say("{}: {}", in_one_line(path), kind_summary(file));
+  say("{}: {}{}", in_one_line(path), kind_summary(file), alarm_text(file.content));
   if (!file.checksum.empty()) say("{}\n", labelled(file.checksum));
   say("\nparameters\n");
   for (const auto& info : parameter_table()) {

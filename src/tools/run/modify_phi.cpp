@@ -144,7 +144,7 @@ int modify_phi(const Parsed& parsed) {
   const OutputOptions output = output_options(parsed.values);
   const auto command = with_options({"modify-phi"}, add_change_options, parsed.values);
 
-  Checkpoint checkpoint = read_checkpoint(path);
+  Checkpoint checkpoint = read_start(path, parsed.values);
   check_output(output, path);
   const Parameters& p = checkpoint.parameters;
   const auto friction = friction_forces(p, checkpoint.state);
@@ -171,7 +171,7 @@ constinit const Command modify_phi_command = {
     "Replaces the distribution phi(f_T) of the forces in the junctions of some blocks and\n"
     "keeps the mean force of each block, so that the stress state stays the same. Prints the\n"
     "width of each block's phi before and after; rupture analyze phi has the histograms.",
-    {add_change_options, add_checkpoint_options},
+    {add_change_options, add_start_options, add_checkpoint_options},
     modify_phi,
     [] { return with_files(quantities_of(ChangedPhi{})); }};
 

@@ -175,7 +175,7 @@ void Alarms::observe(const Simulation& simulation) {
   for (const Finding& finding : guard_.look(simulation)) {
     const bool alarm = finding.severity == Severity::alarm;
     if (alarm && !plan_.options.reports_alarms) {
-      throw Failure(finding.sentence + ", or continue anyway with --on-alarm report");
+      throw Alarm(finding.sentence + ", or continue anyway with --on-alarm report");
     }
     if (!alarm && plan_.options.output.is_quiet) continue;
     clear_progress_line();

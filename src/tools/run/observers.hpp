@@ -78,7 +78,7 @@ class Alarms : public Observer {
   Alarms(const RunPlan& plan, const Simulation& simulation)
       : plan_(plan), guard_(simulation), next_(simulation.state().step) {}
   std::int64_t next_step() const override { return next_; }
-  /// Throws Failure on an alarm unless it is to be reported.
+  /// Throws Alarm on an alarm unless it is to be reported.
   void observe(const Simulation& simulation) override;
 
  private:

@@ -41,6 +41,34 @@ OutputOptions output_options(const po::variables_map& values) {
           .json = values.count("json") > 0};
 }
 
+void add_start_options(po::options_description& options) {
+  options.add_options()("from-alarm",
+                        "start from CHECKPOINT although an alarm stopped a run in that state");
+}
+
+Checkpoint read_start(const std::filesystem::path& path, const po::variables_map& values) {
+  Checkpoint start = read_checkpoint(path);
+  const bool is_wanted = values.count("from-alarm") > 0;
+  if (start.alarm.empty() && !is_wanted) return start;
+  if (start.alarm.empty()) {
+    throw UsageError("{} is not the state of an alarm: leave out --from-alarm", path.string());
+  }
+  if (!is_wanted) {
+    throw Failure(
+        "an alarm stopped a run in the state of {}, which means nothing (see rupture analyze "
+        "show): "
+        "start from an earlier checkpoint, or give --from-alarm",
+        path.string());
+  }
+  start.alarm.clear();
+  try {
+    check_finite(checkpoint_content(start));
+  } catch (const Failure& failure) {
+    throw Failure("{}: {}; start from an earlier checkpoint", path.string(), failure.what());
+  }
+  return start;
+}
+
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option) {
   const auto name = values[option].as<std::string>();
   if (name.empty()) throw UsageError("the name of an output is empty; give the path of a file");

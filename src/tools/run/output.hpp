@@ -32,6 +32,12 @@ void add_output_options(po::options_description& options, const std::string& hol
 void add_checkpoint_options(po::options_description& options);  ///< the same, of a checkpoint
 OutputOptions output_options(const po::variables_map& values);
 
+/// --from-alarm, of the tools that start from a checkpoint.
+void add_start_options(po::options_description& options);
+/// The checkpoint that a tool starts from. Throws Failure if it is that of an alarm, unless
+/// --from-alarm was given and its numbers are finite; or if that was given and it is none.
+Checkpoint read_start(const std::filesystem::path& path, const po::variables_map& values);
+
 /// The file to write that an option names. Throws UsageError for "-", by which other programs mean
 /// standard output.
 std::filesystem::path file_to_write(const po::variables_map& values, const std::string& option);

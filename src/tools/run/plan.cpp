@@ -83,6 +83,7 @@ void check_files(const RunPlan& plan, const fs::path& input) {
   const std::vector<fs::path> checkpoints = files;
   const auto& record = plan.options.record;
   if (record) files.push_back(*record);
+  files.push_back(alarm_path(plan.options.output.output));
   check_distinct(files, plan.options.output, input);
   for (const fs::path& path : checkpoints) check_output(path, if_checkpoint_exists(plan, path));
   if (record) check_record(*record, plan.start.parameters, plan.options.if_record_exists());
@@ -187,9 +188,10 @@ void add_run_options(po::options_description& options) {
   add("threads", integer("N"),
       "number of threads; default: as many as speed up a slider of this size. Results do not "
       "depend on it");
-  add("on-alarm", one_of("stop|report")->default_value("stop"),
-      "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1, or "
-      "report it and continue. Warnings are only reported, and not at all with --quiet");
+  add("on-alarm", in_rebuild(one_of("stop|report")->default_value("stop")),
+      "what to do when the result becomes meaningless (docs/guard.md): stop with exit code 1 and "
+      "write the state to OUT.alarm.h5, or report it and continue. Warnings are only reported, and "
+      "not at all with --quiet");
   add("resume",
       "continue this run if it was interrupted, from its newest checkpoint OUT-tT.h5; the files "
       "are those of an uninterrupted run");
@@ -282,6 +284,11 @@ std::string id_of_run(const Checkpoint& start) {
       fmt::format("rupture run 2\n{} {}\n{}\n{}\n", tool.tool, tool.parent_checksum,
                   content_checksum(parameters_content(start.parameters)), start.state.step);
   return sha256(std::as_bytes(std::span(text)));
+}
+
+std::filesystem::path alarm_path(const std::filesystem::path& output) {
+  return output.parent_path() /
+         fmt::format("{}.alarm{}", output.stem().string(), output.extension().string());
 }
 
 std::filesystem::path path_at(const std::filesystem::path& output, double t) {

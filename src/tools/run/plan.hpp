@@ -99,6 +99,9 @@ int simulate(Checkpoint start, const StopRule& rule, const RunOptions& options,
 
 Quantities run_quantities();
 
+/// OUT.alarm.h5 beside OUT.h5, for the state at which an alarm stops the run.
+std::filesystem::path alarm_path(const std::filesystem::path& output);
+
 /// OUT-tT.h5 beside OUT.h5, for the checkpoint at time t [s].
 std::filesystem::path path_at(const std::filesystem::path& output, double t);
 

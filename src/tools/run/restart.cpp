@@ -16,6 +16,7 @@ void add_restart_options(po::options_description& options) {
   add("until", in_rebuild(seconds_or_condition()),
       "run until this time, or until this condition holds, such as \"F_T < 300 or t > 0.5s\"");
   add("for", seconds(), "run for this long");
+  add_start_options(options);
 }
 
 RunEnd run_end(const po::variables_map& values) {
@@ -49,7 +50,7 @@ int restart(const Parsed& parsed) {
   const RunEnd end = run_end(parsed.values);
   const RunOptions options = run_options(parsed);
 
-  Checkpoint checkpoint = read_checkpoint(path);
+  Checkpoint checkpoint = read_start(path, parsed.values);
   const Parameters before = checkpoint.parameters;
   Profile(parsed).apply(checkpoint.parameters);
   checkpoint.state = continued(std::move(checkpoint.state), checkpoint.parameters);

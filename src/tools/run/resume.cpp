@@ -209,7 +209,7 @@ bool is_end(const Checkpoint& checkpoint, const RunPlan& plan) {
 
 /// True if the run goes through this checkpoint, which it wrote at its end or on its way.
 bool is_on_the_way(const Checkpoint& checkpoint, const fs::path& path, const RunPlan& plan) {
-  if (!is_of_run(checkpoint, plan.start)) return false;
+  if (!is_of_run(checkpoint, plan.start) || !checkpoint.alarm.empty()) return false;
   if (path == plan.options.output.output) return is_end(checkpoint, plan);
   return !is_beyond_end(checkpoint, plan.rule);
 }

@@ -147,7 +147,9 @@ class Run : private Observer {
   }
 
   Ending observed();
+  Checkpoint now() const;
   void save(const fs::path& path);
+  std::string saved_state(const Alarm& alarm) const;
 
   const RunPlan& plan_;
   const OutputOptions& output_;
@@ -195,6 +197,11 @@ Ending Run::go() {
     say_invariants(output_, summary_.held.empty() ? in_text : summary_.held, summary_);
     announce(summary_.files, output_);
     return ending;
+  } catch (const Alarm& alarm) {
+    const std::string where = saved_state(alarm);
+    announce(summary_.files, output_);
+    if (writer_) writer_->flush();
+    throw Failure("{}{}", alarm.what(), where);
   } catch (...) {
     announce(summary_.files, output_);
     if (writer_) writer_->flush();
@@ -232,14 +239,32 @@ const fs::path& Run::save_on_the_way() {
   return saved_;
 }
 
-void Run::save(const fs::path& path) {
+Checkpoint Run::now() const {
   const Parameters& p = begin_.parameters;
   const State& state = simulation_.state();
-  const Checkpoint now = {
-      p, state, run_until(begin_.provenance, p, state.clock, state.step), simulation_.run(), {}};
-  const auto checksum = write_checkpoint(path, now, if_checkpoint_exists(plan_, path));
+  return {p, state, run_until(begin_.provenance, p, state.clock, state.step), simulation_.run()};
+}
+
+void Run::save(const fs::path& path) {
+  const auto checksum = write_checkpoint(path, now(), if_checkpoint_exists(plan_, path));
   summary_.files.push_back({path, "checkpoint", checksum});
   saved_ = path;
+}
+
+/// Saves the state that an alarm found, but not that with which the run begins; says where, or why
+/// not.
+std::string Run::saved_state(const Alarm& alarm) const try {
+  if (!has_moved()) return "";
+  const fs::path path = alarm_path(output_.output);
+  const IfExists if_exists = if_checkpoint_exists(plan_, path);
+  check_output(path, if_exists);
+  Checkpoint bad = now();
+  bad.alarm = alarm.what();
+  bad.provenance.back().rebuild += " --on-alarm report";
+  write_checkpoint(path, bad, if_exists);
+  return fmt::format("; this state is in {}", path.string());
+} catch (const Failure& failure) {
+  return fmt::format("; this state is not saved: {}", failure.what());
 }
 
 std::string resuming_command(const RunOptions& options) {
