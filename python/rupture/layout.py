@@ -27,8 +27,8 @@ run                   id? text  first_step?,last_break?,ruptures? int64
 run                   quiet_steps?,until_rupture_of? int64
 run                   leading_edge_ruptured?,spanned?,until_spanned? uint8  event? float64[Nx]
 run                   last_rupture?,arrived_below?,record_every?,fields_every? float64
-run                   record_every_in_events?,quiet_time?,condition_every? float64
-run                   condition? text
+run                   record_every_in_events?,record_every_in_spanning_events? float64
+run                   quiet_time?,condition_every? float64  condition? text
 """
 CHECKPOINT = """\
 state                 step int64  u_x,u_z,v_x,v_z,f_x,f_z float64[Nz][Nx]

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "rupture/model/derived.hpp"
 
@@ -55,6 +57,22 @@ void add_rupture(const Parameters& p, const Rupture& rupture, RunSoFar& run) {
   if (!of_block) of_block = rupture.time;
   run.event.last_rupture = rupture.time;
   run.spanned = run.spanned || (!had_spanned && spans(p, first));
+}
+
+std::map<std::int64_t, bool> which_span(const Parameters& p, RunSoFar run,
+                                        std::span<const Rupture> ruptures) {
+  std::map<std::int64_t, bool> events = {
+      {std::numeric_limits<std::int64_t>::min(), spans(p, run.event.first)}};
+  for (const Rupture& rupture : ruptures) {
+    const bool is_new = !run.event.is_under_way(rupture.time, quiet_time(p, run.early));
+    add_rupture(p, rupture, run);
+    (is_new ? events[rupture.step] : events.rbegin()->second) = spans(p, run.event.first);
+  }
+  return events;
+}
+
+bool is_in_spanning_event(const std::map<std::int64_t, bool>& events, std::int64_t step) {
+  return std::prev(events.upper_bound(step))->second;
 }
 
 }  // namespace rupture

@@ -3,6 +3,8 @@ common, and what --dry-run foresees. The rest is in tables/."""
 
 import json
 import os
+import signal
+import subprocess
 from pathlib import Path
 
 import h5py
@@ -88,6 +90,56 @@ def test_samples_are_dense_while_an_event_is_under_way():
     for path, regular in (("/series/step", 2000), ("/fields/step", 4000)):
         steps = sorted({*dense, *range(0, 8001, regular)})
         assert dataset("r.h5", path).tolist() == steps
+
+
+SPANNING = (
+    "load --config small.ini -q -o a.h5 --set driving.V=0.05 --set junctions.t_R=5e-5 --until 9e-3"
+    " --fields 3e-4 --checkpoint-every 7e-5 --record"
+)
+SERIES = [f"/series/{name}" for name in ("time", "step", "x_drive", "F_T", "pinned", "p", "tau")]
+
+
+def test_samples_are_dense_in_those_events_alone_that_span():
+    """Two events of this run arrest, and one begins just before its end."""
+    output_of(f"{SPANNING} all.h5 --record-every-in-events 5e-6")
+    output_of(f"{SPANNING} none.h5 --force")
+    output_of(f"{SPANNING} r.h5 --force --record-every-in-spanning-events 5e-6")
+    types, kept = [], set(dataset("none.h5", "/series/step"))
+    for event in json_of("analyze events all.h5 --json")["events"]:
+        types.append(event["type"])
+        if event["type"] not in ("arrested", None):
+            first, last = round(event["t_start"] / 2e-7), round(event["t_end"] / 2e-7) + 1250
+            kept.update(n for n in range(0, 45000, 25) if first <= n <= last)
+    assert types == ["fast", "fast", "arrested", "fast", "fast", "arrested", None]
+    is_kept = np.isin(dataset("all.h5", "/series/step"), list(kept))
+    for path in SERIES:
+        assert np.array_equal(dataset("r.h5", path), dataset("all.h5", path)[is_kept]), path
+    for path in ("/fields/step", "/fields/u_x", "/fields/u_z", "/ruptures/step"):
+        assert np.array_equal(dataset("r.h5", path), dataset("none.h5", path)), path
+
+
+@pytest.mark.parametrize("pieces, ending", enumerate([signal.SIGKILL, signal.SIGTERM] * 2, 2))
+def test_samples_that_wait_for_the_end_of_their_event_survive_that_of_the_run(pieces, ending):
+    output_of(f"{SPANNING} begin.h5".replace("9e-3", "2.95e-3"))
+    restart = "restart a.h5 -q -o b.h5 --until 3.7e-3 --checkpoint-every 2e-5 --record"
+    dense = "--record-every-in-spanning-events 5e-6"
+    output_of(f"{restart} coarse.h5")
+    output_of(f"{restart} whole.h5 --force {dense}")
+    for path in Path().glob("b*.h5"):
+        path.unlink()
+    tool, *words = f"{restart} r.h5 {dense}".split()
+    part = Path("r.h5.part")
+    process = started([BIN / tool, *words], part, 5 * pieces, stderr=subprocess.DEVNULL)
+    process.send_signal(ending)
+    assert process.wait() == -ending
+    output_of("finish r.h5.part -q -o now.h5")
+    now, whole, coarse = (dataset(f"{name}.h5", SERIES[1]) for name in ("now", "whole", "coarse"))
+    assert set(coarse[coarse <= now[-1]]) <= set(now) <= set(whole)
+    same = np.isin(whole, now)
+    assert np.array_equal(dataset("now.h5", SERIES[-1]), dataset("whole.h5", SERIES[-1])[same])
+    resumed = run([tool, *words, "--resume"])
+    assert (resumed.code, resumed.err) == (0, "")
+    assert checksum_of("r.h5") == checksum_of("whole.h5")
 
 
 def test_the_driving_force_stays_constant_at_rest():

@@ -28,6 +28,7 @@ class RecordWriter {
  public:
   static constexpr std::size_t kFlushEvery = 256;
   static constexpr std::size_t kFlushBytes = 1U << 20U;
+  static constexpr std::size_t kMostHeld = 32'000'000;  ///< of an event that may span [bytes]
 
   /// Begins with `rows_before`, of rows_until(). There are no datasets for `parts` that the record
   /// does not have. Throws as check_record(), and Failure if the .part cannot be written.
@@ -45,7 +46,14 @@ class RecordWriter {
   void append(std::span<const Rupture> ruptures);
   void append(const FieldSample& sample);
 
-  /// Brings everything appended so far to the .part file.
+  /// Appends a sample that is dropped unless the event that is under way spans: until that is known
+  /// it stays in memory, or from kMostHeld on apart in the .part file. With
+  /// RecordedRun::every_in_spanning_events only.
+  void hold(const Sample& sample);
+  void event_spans() { keeps_held_ = true; }  ///< the one that is under way
+  void no_event();                            ///< is under way
+
+  /// Brings everything appended and held so far to the .part file.
   void flush();
   /// The same, and the file to the disk.
   void sync();
@@ -59,11 +67,14 @@ class RecordWriter {
 
  private:
   void flush_if_full();
+  void write_rows(Content& rows, const char* prefix);
 
   std::filesystem::path path_;
   IfExists if_exists_;
   std::size_t flush_every_;
-  Content rows_;  // that were appended since the last flush
+  Content rows_;             // that were appended since the last flush,
+  Content held_;             // and held
+  bool keeps_held_ = false;  // whether the event spans
   std::unique_ptr<GrowingFile> part_;
   bool part_has_samples_;
 };

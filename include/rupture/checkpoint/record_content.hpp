@@ -36,6 +36,7 @@ struct RecordedRun {
   std::optional<double> fields_every = {};     ///< that of the fields, if there are any [s]
   std::optional<double> every_in_events = {};  ///< of both while an event is under way [s]
   std::optional<double> quiet_time = {};       ///< that separates events then; none: 5 t_R [s]
+  std::optional<double> every_in_spanning_events = {};  ///< of series, if it spans [s]
 
   bool operator==(const RecordedRun&) const = default;
 };
@@ -85,6 +86,14 @@ struct RecordFile {
 /// The samples, ruptures, crossings and fields of a record up to and including a step, with which
 /// another one can begin.
 Content rows_until(const Content& record, std::int64_t step);
+
+/// Before the path of a dataset of a .part: samples of it that RecordWriter holds.
+inline constexpr const char* kHeld = "/held";
+inline constexpr const char* kHeldSteps = "/held/series/step";
+
+/// An unfinished record in which the samples that RecordWriter holds are in their places if their
+/// event spans, as far as its ruptures tell, and else are gone.
+Content with_spanning_events(Content record);
 
 /// The datasets of an unfinished record up to its last sample, with this provenance, as a finished
 /// record holds them. There must be a sample.

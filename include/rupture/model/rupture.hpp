@@ -2,7 +2,9 @@
 // the memory of a run beyond its state.
 #pragma once
 
+#include <map>
 #include <optional>
+#include <span>
 
 #include "rupture/model/parameters.hpp"
 
@@ -90,5 +92,12 @@ double quiet_time(const Parameters& p, const EarlyEnd& early);
 
 /// Adds the rupture of a block, later than all before it.
 void add_rupture(const Parameters& p, const Rupture& rupture, RunSoFar& run);
+
+/// Whether the events span that these ruptures make, by the step of their first rupture. The first
+/// is that of `run`, to which they are added, and is there in any case.
+std::map<std::int64_t, bool> which_span(const Parameters& p, RunSoFar run,
+                                        std::span<const Rupture> ruptures);
+/// Whether the event that is under way at a step, of these, spans.
+bool is_in_spanning_event(const std::map<std::int64_t, bool>& events, std::int64_t step);
 
 }  // namespace rupture

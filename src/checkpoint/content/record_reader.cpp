@@ -26,16 +26,16 @@ bool has(const Content& content, const std::string& group) {
                              [&](const auto& entry) { return entry.first.starts_with(group); });
 }
 
-// Copies the rows of a table whose step is at most `last`.
+// Copies the rows of a table whose step is at most `last`; those of the group that are held, too.
 void copy_rows(const Content& from, const std::string& group, const auto& table, std::int64_t last,
-               Content& to) {
-  if (!has(from, group)) return;
-  const std::string steps = group + "step";
+               Content& to, const std::string& held = "") {
+  if (!has(from, held + group)) return;
+  const std::string steps = held + group + "step";
   const auto step = read_array<std::int64_t>(from, steps, {rows_in(from, steps)});
   const auto length =
       static_cast<std::uint64_t>(std::upper_bound(step.begin(), step.end(), last) - step.begin());
   layout::for_each(table, [&](const auto& row) {
-    Dataset& dataset = to[row.path] = from.at(row.path);
+    Dataset& dataset = to[held + row.path] = from.at(held + row.path);
     if (step.empty()) return;
     dataset.bytes.resize(dataset.bytes.size() / step.size() * length);
     dataset.shape[0] = length;
@@ -217,6 +217,9 @@ void check_consistent(const Content& content, const Record& record) {
 
 Record record_from(const ContentFile& file) {
   const Content& content = file.content;
+  if (file.kind == FileKind::open_record && has(content, kHeld)) {
+    return record_from({file.kind, "", with_spanning_events(content)});
+  }
   Record record;
   record.run = read_recorded_run(content);
   record.parameters = read_parameters(content);
@@ -242,13 +245,14 @@ Content rows_until(const Content& record, std::int64_t step) {
   copy_rows(record, layout::kRupturesGroup, layout::kRuptures, step, rows);
   copy_rows(record, layout::kFieldsGroup, layout::kFields, step, rows);
   copy_rows(record, layout::kCrossingsGroup, layout::kCrossings, step, rows);
+  copy_rows(record, layout::kSeriesGroup, layout::kSeries, step, rows, kHeld);
   return rows;
 }
 
 Content finished_content(const RecordFile& part, const std::vector<ProvenanceEntry>& provenance) {
-  Content whole = provenance_content(provenance);
-  whole.merge(rows_until(part.content, part.record.step.back()));
-  whole.merge(Content(part.content));  // what has no rows
+  Content whole = provenance_content(provenance), content = with_spanning_events(part.content);
+  whole.merge(rows_until(content, part.record.step.back()));
+  whole.merge(std::move(content));  // what has no rows
   return whole;
 }
 

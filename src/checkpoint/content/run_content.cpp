@@ -13,6 +13,7 @@ constexpr Row<std::string> kAlarm = {kAlarmPath, "1"};
 constexpr Row<double> kRecordEvery = {"/run/record_every", "s"};
 constexpr Row<double> kFieldsEvery = {"/run/fields_every", "s"};
 constexpr Row<double> kEveryInEvents = {"/run/record_every_in_events", "s"};
+constexpr Row<double> kEveryInSpanning = {"/run/record_every_in_spanning_events", "s"};
 constexpr Row<std::int64_t> kFirstStep = {"/run/first_step", "1"};
 constexpr Row<std::int64_t> kLastBreak = {"/run/last_break", "1"};
 constexpr Row<std::int64_t> kRuptures = {"/run/ruptures", "1"};
@@ -150,19 +151,21 @@ Content recorded_run_content(const RecordedRun& run, const LatestEvent& before) 
   if (run.fields_every) put(content, kFieldsEvery, *run.fields_every);
   if (run.every_in_events) put(content, kEveryInEvents, *run.every_in_events);
   if (run.quiet_time) put(content, kQuietTime, *run.quiet_time);
+  if (const auto& every = run.every_in_spanning_events) put(content, kEveryInSpanning, *every);
   return content;
 }
 
 RecordedRun read_recorded_run(const Content& content) {
   if (!has(content, kId)) return {};
-  return {read_text(content, kId.path), value_of(content, kRecordEvery),
+  return {read_text(content, kId.path),         value_of(content, kRecordEvery),
           read_if_there(content, kFieldsEvery), read_if_there(content, kEveryInEvents),
-          read_if_there(content, kQuietTime)};
+          read_if_there(content, kQuietTime),   read_if_there(content, kEveryInSpanning)};
 }
 
 DatasetInfos run_datasets(FileKind kind) {
   if (kind != FileKind::checkpoint) {
-    return {kId, kEvent, kLastRupture, kRecordEvery, kFieldsEvery, kEveryInEvents, kQuietTime};
+    return {kId,          kEvent,         kLastRupture, kRecordEvery,
+            kFieldsEvery, kEveryInEvents, kQuietTime,   kEveryInSpanning};
   }
   return {kAlarm,         kId,           kFirstStep,    kLastBreak,      kRuptures,
           kLeadingEdge,   kSpanned,      kEvent,        kLastRupture,    kQuietTime,

@@ -44,6 +44,23 @@ void add_row(Content& rows, const auto& table, const auto& row) {
   });
 }
 
+// Whether there are so many rows of a dataset, or bytes of all.
+bool has_reached(const Content& rows, std::size_t most_rows, std::size_t most_bytes) {
+  std::size_t most = 0, bytes = 0;
+  for (const auto& [path, dataset] : rows) {
+    most = std::max<std::size_t>(most, dataset.shape[0]);
+    bytes += dataset.bytes.size();
+  }
+  return most >= most_rows || bytes >= most_bytes;
+}
+
+void clear(Content& rows) {
+  for (auto& [path, dataset] : rows) {
+    dataset.bytes.clear();
+    dataset.shape[0] = 0;
+  }
+}
+
 std::vector<std::byte> piece_of(const std::filesystem::path& part, const Content& rows) {
   return naming(part, [&] { return seal(FileKind::open_record, rows); }).bytes;
 }
@@ -86,6 +103,10 @@ RecordWriter::RecordWriter(std::filesystem::path path, const Parameters& paramet
     rows_before[layout::kCrossingLevels] = make_array(std::span(levels), {levels.size()}, "1");
   }
   if (parts.fields == Fields::record) begin(rows_, layout::kFields, FieldSample{}, parameters);
+  if (parts.run.every_in_spanning_events) {
+    begin(held_, layout::kSeries, Sample{}, parameters);
+    for (const auto& [name, dataset] : held_) rows_before.emplace(kHeld + name, dataset);
+  }
   Content first = std::move(rows_before);  // with what stays as it is
   first.merge(recorded_run_content(parts.run, parts.before));
   first.merge(Content(rows_));  // all datasets are there, even if without rows
@@ -120,18 +141,31 @@ void RecordWriter::append(const FieldSample& sample) {
 }
 
 void RecordWriter::flush_if_full() {
-  std::size_t most = 0, bytes = 0;
-  for (const auto& [path, dataset] : rows_) {
-    most = std::max<std::size_t>(most, dataset.shape[0]);
-    bytes += dataset.bytes.size();
-  }
-  if (most >= flush_every_ || bytes >= kFlushBytes) flush();
+  if (has_reached(rows_, flush_every_, kFlushBytes)) write_rows(rows_, "");
+  const bool is_full = keeps_held_ ? has_reached(held_, flush_every_, kFlushBytes)
+                                   : has_reached(held_, SIZE_MAX, kMostHeld);
+  if (is_full) flush();
+}
+
+void RecordWriter::hold(const Sample& sample) {
+  add_row(held_, layout::kSeries, sample);
+  flush_if_full();
+}
+
+void RecordWriter::no_event() {
+  if (std::exchange(keeps_held_, false)) return flush();
+  clear(held_);
 }
 
 void RecordWriter::flush() {
+  write_rows(rows_, "");  // first, as a full disk may have no room for the others
+  write_rows(held_, kHeld);
+}
+
+void RecordWriter::write_rows(Content& rows, const char* prefix) {
   Content piece;
-  for (const auto& [path, dataset] : rows_) {
-    if (dataset.shape[0] > 0) piece[path] = dataset;
+  for (const auto& [path, dataset] : rows) {
+    if (dataset.shape[0] > 0) piece[prefix + path] = dataset;
   }
   if (piece.empty()) return;
   const std::string part = part_path(path_).string();
@@ -145,10 +179,7 @@ void RecordWriter::flush() {
         failure.what(), part);
   }
   part_has_samples_ = true;
-  for (auto& [path, dataset] : rows_) {
-    dataset.bytes.clear();
-    dataset.shape[0] = 0;
-  }
+  clear(rows);
 }
 
 void RecordWriter::sync() {
@@ -165,7 +196,7 @@ std::string RecordWriter::finish(const std::vector<ProvenanceEntry>& provenance,
     if (part.ignored_bytes > 0) {
       throw Failure("another program has changed the unfinished record, or the disk damaged it");
     }
-    content.merge(part.content);
+    content.merge(with_spanning_events(std::move(part.content)));
     const auto step = record_from({FileKind::record, "", content}).step;
     if (first_step && (step.empty() || step.front() != *first_step)) {
       fail("it does not begin at step {}, as its run did", *first_step);

@@ -50,10 +50,11 @@ struct Forecast {
 };
 
 /// Samples at one interval, and at the one in events, if there is one, as if all was one event.
-std::int64_t most_samples(const RunPlan& plan, const Interval& every) {
+std::int64_t most_samples(const RunPlan& plan, const Interval& every,
+                          const std::optional<Interval>& in_events) {
   const std::int64_t first = plan.start.run->first_step, last = plan.rule.last_step;
   std::int64_t samples = every.samples(first, last);
-  if (plan.in_events) samples += plan.in_events->number_at(last) - plan.in_events->number_at(first);
+  if (in_events) samples += in_events->number_at(last) - in_events->number_at(first);
   return std::min(samples, last - first + 1);
 }
 
@@ -89,12 +90,13 @@ std::string disk_text(const Forecast& f) {
                                  f.checkpoints == 1 ? "" : "s", size_text(f.checkpoint()));
   if (f.samples > 0) {
     const auto fields = static_cast<double>(f.field_samples);
-    text += fmt::format(
-        "; record of {} samples{}{}, {}, and 24 bytes for each rupture of a block{}",
-        grouped(static_cast<double>(f.samples)),
-        fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
-        f.plan.in_events ? ", if all of the run is an event" : "", size_text(f.record()),
-        f.plan.options.crossings.empty() ? "" : ", 32 for each crossing");
+    text +=
+        fmt::format("; record of {} samples{}{}{}, {}, and 24 bytes for each rupture of a block{}",
+                    grouped(static_cast<double>(f.samples)),
+                    fields > 0 ? fmt::format(" and {} of all blocks", grouped(fields)) : "",
+                    f.plan.in_events ? ", if all of the run is an event" : "",
+                    f.plan.is_dense_only_if_spanning() ? " that spans" : "", size_text(f.record()),
+                    f.plan.options.crossings.empty() ? "" : ", 32 for each crossing");
   }
   return text;
 }
@@ -116,6 +118,15 @@ std::string step_text(const Parameters& p) {
                     p.dt / limit);
 }
 
+std::string memory_text(const Forecast& f) {
+  if (!f.plan.is_dense_only_if_spanning()) return "";
+  return fmt::format(
+      "memory   at most {} of samples until it is known whether their event spans; what is beyond "
+      "is kept in {}\n",
+      size_text(static_cast<double>(RecordWriter::kMostHeld)),
+      in_one_line(part_path(*f.plan.options.record).string()));
+}
+
 std::string text_of(const Forecast& f) {
   const auto about = [](bool at_most) { return at_most ? "at most about" : "about"; };
   return fmt::format(
@@ -123,12 +134,13 @@ std::string text_of(const Forecast& f) {
       "slider   {} blocks, {} junctions\n"
       "threads  {}\n"
       "disk     {} {}\n"
+      "{}"
       "time     {} {}: {} of processor time per step, measured now\n"
       "{}\n",
       f.at_most() ? "at most " : "", grouped(static_cast<double>(f.steps)), f.simulated_time(),
       end_text(f), grouped(f.blocks()), grouped(f.junctions()), f.plan.threads,
-      about(f.at_most() || f.plan.in_events), disk_text(f), about(f.at_most()), time_text(f.time()),
-      time_text(f.time_per_step), step_text(f.parameters));
+      about(f.at_most() || f.plan.in_events), disk_text(f), memory_text(f), about(f.at_most()),
+      time_text(f.time()), time_text(f.time_per_step), step_text(f.parameters));
 }
 
 Json json_of(const Forecast& f) {
@@ -153,8 +165,9 @@ std::string forecast(const RunPlan& plan) {
   if (!plan.is_complete) {
     needs.steps = plan.rule.last_step - plan.begin.state.step;
     needs.checkpoints = std::ssize(plan.checkpoints) + 1;
-    if (plan.options.record) needs.samples = most_samples(plan, plan.record_every);
-    if (plan.fields_every) needs.field_samples = most_samples(plan, *plan.fields_every);
+    if (plan.options.record) needs.samples = most_samples(plan, plan.record_every, plan.in_events);
+    const auto of_fields = plan.is_dense_only_if_spanning() ? std::nullopt : plan.in_events;
+    if (plan.fields_every) needs.field_samples = most_samples(plan, *plan.fields_every, of_fields);
   }
   Simulation simulation(p, plan.begin.state, plan.threads);
   needs.time_per_step = time_per_step(simulation, plan.threads);

@@ -91,7 +91,8 @@ Recorder::Recorder(RecordWriter& writer, const RunPlan& plan)
       last_step_(plan.rule.last_step),
       series_(sampler(plan.record_every, sampled_steps(plan.recorded, kSeriesSteps),
                       plan.begin.state.step)),
-      in_events_(plan.in_events) {
+      in_events_(plan.in_events),
+      holds_(plan.is_dense_only_if_spanning()) {
   const std::int64_t now = plan.begin.state.step;
   if (plan.fields_every) {
     fields_ = sampler(*plan.fields_every, sampled_steps(plan.recorded, kFieldsSteps), now);
@@ -121,20 +122,29 @@ bool Recorder::is_due(Sampler& sampler, std::int64_t step, bool in_event) const 
   return true;
 }
 
+/// Whether an event is under way.
+bool Recorder::looks_at_event(const Simulation& simulation) {
+  const Parameters& p = simulation.parameters();
+  const RunSoFar& run = simulation.run();
+  next_look_ = in_events_->after(simulation.state().step);
+  const bool in_event = run.event.is_under_way(simulation.time(), quiet_time(p, run.early));
+  if (holds_ && !in_event) writer_.no_event();
+  if (holds_ && in_event && spans(p, run.event.first)) writer_.event_spans();
+  return in_event;
+}
+
 void Recorder::observe(const Simulation& simulation) {
   const State& state = simulation.state();
-  bool in_event = false;
-  if (state.step >= next_look_) {
-    const RunSoFar& run = simulation.run();
-    in_event =
-        run.event.is_under_way(simulation.time(), quiet_time(simulation.parameters(), run.early));
-    next_look_ = in_events_->after(state.step);
-  }
-  if (is_due(series_, state.step, in_event)) {
+  const bool in_event = state.step >= next_look_ && looks_at_event(simulation);
+  const bool is_dense = in_event && !holds_;
+  if (is_due(series_, state.step, is_dense)) {
     append_ruptures(simulation);  // first, so that a .part has all ruptures up to its last sample
     writer_.append(sample_of(simulation));
+  } else if (in_event) {
+    append_ruptures(simulation);
+    writer_.hold(sample_of(simulation));
   }
-  if (fields_ && is_due(*fields_, state.step, in_event)) {
+  if (fields_ && is_due(*fields_, state.step, is_dense)) {
     writer_.append(
         FieldSample{simulation.time(), state.step, rounded(state.u_x), rounded(state.u_z)});
   }

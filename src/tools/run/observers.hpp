@@ -17,7 +17,8 @@ std::vector<std::int64_t> sampled_steps(const Content& rows, const std::string& 
 
 /// Appends to a record: ruptures, and samples of the series and of the fields that it has, each at
 /// the first and last step of a run and whenever its interval has passed, or, while an event is
-/// under way, the plan's interval in events.
+/// under way, the plan's interval in events. If only those that span count, the fields keep theirs,
+/// and the writer holds the other samples until the event spans.
 class Recorder : public Observer {
  public:
   Recorder(RecordWriter& writer, const RunPlan& plan);
@@ -38,6 +39,7 @@ class Recorder : public Observer {
                   std::int64_t now) const;
   std::int64_t sample_after(std::int64_t step, const Interval& every) const;
   bool is_due(Sampler& sampler, std::int64_t step, bool in_event) const;
+  bool looks_at_event(const Simulation& simulation);
   void append_ruptures(const Simulation& simulation);
 
   RecordWriter& writer_;
@@ -45,6 +47,7 @@ class Recorder : public Observer {
   Sampler series_;
   std::optional<Sampler> fields_;
   const std::optional<Interval> in_events_;
+  const bool holds_;                  // what is sampled in events alone
   std::int64_t next_look_ = no_step;  // whether an event is under way
   std::size_t ruptures_written_ = 0;
 };

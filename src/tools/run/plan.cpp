@@ -29,7 +29,8 @@ bool has_condition(const po::variables_map& values) {
 
 void refuse_without_record(const po::variables_map& values) {
   if (values.count("record") > 0) return;
-  for (const char* option : {"record-every", "record-every-in-events", "crossings", "fields"}) {
+  for (const char* option : {"record-every", "record-every-in-events",
+                             "record-every-in-spanning-events", "crossings", "fields"}) {
     if (values.count(option) == 0 || values[option].defaulted()) continue;
     throw UsageError("--{} needs --record: give both", option);
   }
@@ -177,6 +178,8 @@ void add_run_options(po::options_description& options) {
   add("record-every-in-events", in_rebuild(seconds()),
       "during an event, also sample at this interval, fields too. An event goes on until no block "
       "has ruptured for --quiet-time");
+  add("record-every-in-spanning-events", in_rebuild(seconds()),
+      "the same, but only during events that span the interface; fields keep their interval");
   add("crossings", in_rebuild(text("F,...")),
       "also record when a block falls below these pinned fractions, such as 0.2,0.5");
   add("fields", in_rebuild(seconds()),
@@ -205,6 +208,7 @@ RunOptions run_options(const Parsed& parsed) {
                     .checkpoint_every = optional_non_negative(values, "checkpoint-every"),
                     .record_every = non_negative(values, "record-every"),
                     .in_events = optional_non_negative(values, "record-every-in-events"),
+                    .in_spanning = optional_non_negative(values, "record-every-in-spanning-events"),
                     .crossings = crossing_levels(values),
                     .fields = optional_non_negative(values, "fields"),
                     .reports_alarms = values["on-alarm"].as<std::string>() == "report",
@@ -219,6 +223,11 @@ RunOptions run_options(const Parsed& parsed) {
   }
   if (values.count("record") > 0) run.record = file_to_write(values, "record");
   refuse_without_record(values);
+  if (run.in_events && run.in_spanning) {
+    throw UsageError(
+        "--record-every-in-events and --record-every-in-spanning-events cannot be combined: give "
+        "one of them");
+  }
   if (values.count("threads") > 0) run.threads = int_between(values, "threads", 1, 1024);
   return run;
 }
@@ -239,13 +248,20 @@ RunPlan plan_run(Checkpoint start, const StopRule& rule, RunOptions options,
   if (options.in_events) {
     plan.in_events = interval(p, clock, *options.in_events, "record-every-in-events");
   }
+  if (options.in_spanning) {
+    plan.in_events = interval(p, clock, *options.in_spanning, "record-every-in-spanning-events");
+  }
   if (!rule.early.condition.empty()) {
     plan.looks = interval(p, clock, rule.early.condition_every, "until-every");
   }
   if (options.fields) plan.fields_every = interval(p, clock, *options.fields, "fields");
   plan.recorded_run = {start.run->id, plan.record_every.time};
   if (plan.fields_every) plan.recorded_run.fields_every = plan.fields_every->time;
-  if (plan.in_events) plan.recorded_run.every_in_events = plan.in_events->time;
+  if (plan.in_events) {
+    RecordedRun& run = plan.recorded_run;
+    (options.in_spanning ? run.every_in_spanning_events : run.every_in_events) =
+        plan.in_events->time;
+  }
   if (plan.in_events) plan.recorded_run.quiet_time = rule.early.quiet_time;
   plan.threads = options.threads.value_or(default_thread_count(p));
   plan.options = std::move(options);

@@ -27,6 +27,7 @@ struct RunOptions {
   std::optional<std::filesystem::path> record = {};
   double record_every = 1e-4;               ///< [s]
   std::optional<double> in_events = {};     ///< while an event is under way [s]
+  std::optional<double> in_spanning = {};   ///< while one is that spans, then or later [s]
   std::vector<double> crossings = {};       ///< pinned fractions, ascending
   std::optional<double> fields = {};        ///< sampling interval of the fields [s]
   std::optional<int> threads = {};          ///< none: as many as pay
@@ -55,13 +56,14 @@ struct RunPlan {
   Content recorded;                      ///< what that holds up to there
   Interval record_every;                 ///< if there is a record
   std::optional<Interval> fields_every;  ///< if that has fields
-  std::optional<Interval> in_events;     ///< if it is denser then
+  std::optional<Interval> in_events;     ///< if it is denser then, or in those that span
   std::optional<Interval> looks;         ///< at the condition, if there is one
   Checkpoints checkpoints;               ///< on the way, that are still to come
   bool rewrites_output = false;          ///< which is there already, as this run will write it
   bool is_complete = false;              ///< and nothing is left to do
   int threads = 1;
 
+  bool is_dense_only_if_spanning() const { return options.in_spanning.has_value(); }
   bool is_resumed() const { return !resumed_from.empty(); }
   const std::string& tool() const { return start.provenance.back().tool; }
 };

@@ -114,7 +114,11 @@ std::vector<ProvenanceEntry> recorded_until(const RunPlan& plan, std::int64_t st
   auto chain = run_until(start.provenance, start.parameters, start.state.clock, step);
   std::string& command = chain.back().rebuild;
   command += fmt::format(" --record-every {}", plan.record_every.time);
-  if (plan.in_events) command += fmt::format(" --record-every-in-events {}", plan.in_events->time);
+  if (plan.in_events) {
+    command +=
+        fmt::format(" --record-every-in-{}events {}",
+                    plan.is_dense_only_if_spanning() ? "spanning-" : "", plan.in_events->time);
+  }
   if (const auto quiet = plan.recorded_run.quiet_time)
     command += fmt::format(" --quiet-time {}", *quiet);
   if (const auto& levels = plan.options.crossings; !levels.empty()) {

@@ -101,20 +101,27 @@ Content recorded(const fs::path& path, const RunPlan& plan) try {
   return {};
 }
 
-/// The steps of the samples that the run has taken when it writes the checkpoint: all those of
-/// Recorder.
-std::set<std::int64_t> steps_to_sample(const Interval& every, const Content& rows,
-                                       const Checkpoint& checkpoint, bool at_end,
-                                       const RunPlan& plan) {
-  const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
-  std::set<std::int64_t> steps = {first};
-  for (auto at = every.after(first); at <= step; at = every.after(at)) steps.insert(at);
-  if (at_end) steps.insert(step);
-  if (!plan.in_events) return steps;
+/// The ruptures in rows of the record up to the checkpoint.
+std::vector<Rupture> ruptures_in(const Content& rows, const Checkpoint& checkpoint) {
+  std::vector<Rupture> ruptures;
+  const auto blocks = sampled_steps(rows, "/ruptures/block");
+  for (const std::int64_t step : sampled_steps(rows, "/ruptures/step")) {
+    const double t = time_at(checkpoint.parameters, checkpoint.state.clock, step);
+    ruptures.push_back({step, t, blocks.at(ruptures.size())});
+  }
+  return ruptures;
+}
+
+/// The steps in events at which the run has taken samples when it writes the checkpoint.
+std::set<std::int64_t> steps_in_events(const std::vector<Rupture>& ruptures,
+                                       const Checkpoint& checkpoint, const RunPlan& plan) {
+  if (!plan.in_events) return {};
   const Parameters& p = checkpoint.parameters;
   const Clock& clock = checkpoint.state.clock;
   const double quiet = quiet_time(p, plan.rule.early);
-  std::int64_t seen = first;
+  const std::int64_t step = checkpoint.state.step;
+  std::int64_t seen = checkpoint.run->first_step;
+  std::set<std::int64_t> steps;
   const auto add = [&](const LatestEvent& event) {
     for (auto at = plan.in_events->after(seen);
          at <= step && event.is_under_way(time_at(p, clock, at), quiet);
@@ -123,12 +130,43 @@ std::set<std::int64_t> steps_to_sample(const Interval& every, const Content& row
     }
   };
   add(plan.start.run->event);
-  for (const std::int64_t rupture : sampled_steps(rows, "/ruptures/step")) {
-    seen = std::max(seen, rupture - 1);
-    const double t = time_at(p, clock, rupture);
-    add({{t}, t});
+  for (const Rupture& rupture : ruptures) {
+    seen = std::max(seen, rupture.step - 1);
+    add({{rupture.time}, rupture.time});
   }
   return steps;
+}
+
+/// The steps at an interval at which the run has taken samples then, the last one if it has ended.
+std::set<std::int64_t> steps_at(const Interval& every, const Checkpoint& checkpoint, bool at_end) {
+  const std::int64_t step = checkpoint.state.step, first = checkpoint.run->first_step;
+  std::set<std::int64_t> steps = {first};
+  for (auto at = every.after(first); at <= step; at = every.after(at)) steps.insert(at);
+  if (at_end) steps.insert(step);
+  return steps;
+}
+
+/// True if these rows have all samples of events that span, and, held, of one that may yet.
+bool have_spanning_events(const Content& rows, const Checkpoint& checkpoint, bool at_end,
+                          const RunPlan& plan) {
+  const Parameters& p = checkpoint.parameters;
+  const auto ruptures = ruptures_in(rows, checkpoint);
+  RunSoFar run = *plan.start.run;
+  run.early = plan.rule.early;
+  const double quiet = quiet_time(p, run.early), now = time(p, checkpoint.state);
+  const bool may_span = !at_end && checkpoint.run->event.is_under_way(now, quiet);
+  const auto events = which_span(p, std::move(run), ruptures);
+  std::set<std::int64_t> have, wanted = steps_at(plan.record_every, checkpoint, at_end);
+  for (const std::int64_t step : sampled_steps(rows, kSeriesSteps)) {
+    if (!wanted.contains(step) && !is_in_spanning_event(events, step)) return false;
+    have.insert(step);
+  }
+  for (const std::int64_t step : sampled_steps(rows, kHeldSteps)) have.insert(step);
+  for (const std::int64_t step : steps_in_events(ruptures, checkpoint, plan)) {
+    const bool is_of_last = may_span && step >= events.rbegin()->first;
+    if (is_of_last || is_in_spanning_event(events, step)) wanted.insert(step);
+  }
+  return std::ranges::includes(have, wanted);
 }
 
 /// True if these rows are all that the record held when the run wrote the checkpoint, which is at
@@ -137,11 +175,15 @@ bool reach(const Content& rows, const Checkpoint& checkpoint, const fs::path& pa
            const RunPlan& plan) {
   const std::int64_t step = checkpoint.state.step;
   const bool at_end = path == plan.options.output.output || step == plan.rule.last_step;
+  const bool only_spanning = plan.is_dense_only_if_spanning();
   const auto have_samples = [&](const char* path_of_steps, const Interval& every) {
-    return std::ranges::equal(sampled_steps(rows, path_of_steps),
-                              steps_to_sample(every, rows, checkpoint, at_end, plan));
+    std::set<std::int64_t> steps = steps_at(every, checkpoint, at_end);
+    if (!only_spanning)
+      steps.merge(steps_in_events(ruptures_in(rows, checkpoint), checkpoint, plan));
+    return std::ranges::equal(sampled_steps(rows, path_of_steps), steps);
   };
-  return have_samples(kSeriesSteps, plan.record_every) &&
+  return (only_spanning ? have_spanning_events(rows, checkpoint, at_end, plan)
+                        : have_samples(kSeriesSteps, plan.record_every)) &&
          (!plan.fields_every || have_samples(kFieldsSteps, *plan.fields_every)) &&
          rows.at("/ruptures/step").shape[0] == static_cast<std::uint64_t>(checkpoint.run->ruptures);
 }

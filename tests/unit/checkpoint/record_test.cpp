@@ -171,6 +171,29 @@ TEST_F(RecordWithParts, of_large_sliders_are_flushed_by_their_size) {
   EXPECT_GT(fs::file_size(file("r.h5.part")), begun + 8 * 401 * 401);
 }
 
+// What is held is more than the memory that there is for it.
+TEST_F(RecordWithParts, has_held_samples_if_their_event_spans) {
+  const RecordParts parts = {.run = {.id = "r", .every_in_spanning_events = 1e-3}};
+  Parameters wide = small_parameters();
+  wide.Nx = 401;
+  wide.L = 4.0;
+  wide.M *= 100;
+  constexpr int many = 4000;
+  for (const std::int64_t last : {399, 400}) {
+    RecordWriter out(file("r.h5"), wide, {}, IfExists::replace, {}, parts);
+    out.append(small_sample(401, 0));
+    for (std::int64_t i = 100; i <= last; ++i) {
+      out.append(std::vector<Rupture>{{100 * i, 0.001 * static_cast<double>(i), i}});
+    }
+    const auto begun = fs::file_size(file("r.h5.part"));
+    for (int n = 401; n < many; ++n) out.hold(small_sample(401, n));
+    EXPECT_GT(fs::file_size(file("r.h5.part")), begun + RecordWriter::kMostHeld);
+    out.append(small_sample(401, many));
+    out.finish();
+    EXPECT_EQ(read_record(file("r.h5")).step.size(), last == 400 ? many - 399U : 2U);
+  }
+}
+
 TEST_F(RecordWithParts, with_impossible_values_is_refused) {
   const RecordParts fields = {.fields = Fields::record};
   RecordWriter out(file("r.h5"), small_parameters(), {}, IfExists::refuse, {}, fields);
