@@ -44,7 +44,7 @@ class Sweep(Project):
         super().__init__(root)
         self.begun = []
         self.write("my.ini", SWEEP)
-        self.link("load", "modify-phi", "restart")
+        self.link("load", "modify-phi", "parameters", "restart")
         self.program("analyze", ANALYZE.replace("ROOT", str(root)))
         self.program("prepare", PREPARE.replace("ROOT", str(root)))
 

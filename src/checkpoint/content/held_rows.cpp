@@ -6,11 +6,11 @@ namespace {
 
 namespace layout = record_layout;
 
-struct Place {
+struct RowOfPart {
   bool is_held;
   std::size_t row;
 };
-using Places = std::map<std::int64_t, Place>;  // of rows, by step
+using Places = std::map<std::int64_t, RowOfPart>;  // of rows, by step
 
 // The series, of which `held` has so many samples.
 void put_between(Content& record, const Content& held, std::size_t held_samples,
