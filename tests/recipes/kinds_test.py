@@ -3,6 +3,7 @@ measured, and that texts and code have the same numbers. What is right is writte
 paper and from docs/claims.md."""
 
 import re
+import tomllib
 from types import SimpleNamespace
 
 from pytest import mark
@@ -33,6 +34,7 @@ from measure.fronts import last_block
 from measure.ways import PRIMARY, RAW
 
 L = 0.14
+FROZEN = tomllib.loads((ROOT / "recipes/frozen.toml").read_text("utf-8"))
 
 
 # --- ways ----------------------------------------------------------------------------------
@@ -97,20 +99,19 @@ def test_runs_are_those_of_the_law_on_the_seeds_of_this_version(function, law, m
     events.runs.cache_clear()
     [sample] = function().taken[PRIMARY]
     events.runs.cache_clear()
-    assert asked == [(seed, law) for seed in range(401, 421 if law == "reference" else 411)]
-    assert sample.run == 401 and isinstance(sample.found, Failure)
+    seeds = FROZEN["seeds"][: 20 if law == "reference" else 10]
+    assert asked == [(seed, law) for seed in seeds] and len({*seeds}) == len(asked) > 9
+    assert sample.run == seeds[0] and isinstance(sample.found, Failure)
 
 
-def test_seeds_are_those_that_the_documents_name():
-    text = " ".join((ROOT / "docs/claims.md").read_text("utf-8").split())
-    assert "the seeds 401 to 420 (other laws: 401 to 410, f_slip = 0: 401 to 405;" in text
-    assert [*fig5.commands.SEEDS] == [*range(401, 421)]
-    assert [*fig5.commands.SEEDS_WITHOUT_FORCE] == [*range(401, 406)]
-    assert [*maps.SEEDS] == [1, 2, 3, 4, 5]
-    assert {law: len(of) for law, of in events.SEEDS.items() if law != "reference"} == {
-        "decaying": 10,
-        "exponential": 10,
-    }
+def test_seeds_are_those_that_the_documents_say():
+    text = " ".join((ROOT / "docs/frozen.md").read_text("utf-8").split())
+    assert "The first twenty are those of the runs, and of the runs at h = 0; the first ten" in text
+    assert "the first five those at h = 0 with f_slip = 0. The next five are those of" in text
+    assert fig5.commands.SEEDS == FROZEN["seeds"] and len({*FROZEN["seeds"]}) == 20
+    assert fig5.commands.SEEDS_WITHOUT_FORCE == FROZEN["seeds"][:5]
+    assert maps.SEEDS == sorted(FROZEN["prepared"]) and len({*maps.SEEDS}) == 5
+    assert maps.FIRST == maps.SEEDS[0]
 
 
 def event(slow, spanning=True):

@@ -61,10 +61,14 @@ def test_a_map_has_what_is_halfway_and_seeds_where_the_type_changes(monkeypatch)
     found = maps.map_of(grid)
     halfway = [(0.15, 0), (0.15, 1)]
     changes = [(0.1, 0), (0.1, 1), *halfway]
-    assert asked == [(grid, [1]), (halfway, [1]), (changes, [1, 2, 3, 4, 5])]
+    first = maps.SEEDS[:1]
+    assert asked == [(grid, first), (halfway, first), (changes, maps.SEEDS)]
     assert found.fronts.keys() == {*grid, *halfway}
-    assert [*found.of_seed(4)[0.1, 0]] == [4] and [*found.of_seed(4)[0.2, 0]] == [4]
-    assert found.on_grid()[0.1, 0] == {1: SLOW}
+    fourth = maps.SEEDS[3]
+    assert [*found.of_seed(fourth)[0.1, 0]] == [fourth] and [*found.of_seed(fourth)[0.2, 0]] == [
+        fourth
+    ]
+    assert found.on_grid()[0.1, 0] == {maps.FIRST: SLOW}
     assert maps.map_of(grid, "", maps.nowhere).fronts.keys() == {*grid}
 
 
