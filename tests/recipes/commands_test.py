@@ -26,7 +26,7 @@ FILES = ("--force", "--quiet", "--json", "-o", "--record", "--record-every")
 # A recipe may also ask for checkpoints and crossings for later steps, name the only event of a
 # record, and measure in other ways, too.
 UNSAID = ("--event", "--checkpoint-every", "--checkpoint-at", "--crossings", "--also")
-# Seeds and places follow from recipes/frozen.toml. By hand there may be others, or the default seed.
+# Seeds and places follow from recipes/frozen.toml. By hand there may be others, or no seed.
 FROZEN = ("--tau-bar", "--sigma-bar", "--seed", SEED := "--numerics.seed")
 # Commands that no recipe runs: functions read these records, or call the program, themselves.
 ONLY_BY_HAND = (
