@@ -107,7 +107,7 @@ def make(name, request):
     note_asked(name, behind, store)
     now = f"Computed now: {len(missing)}; already done: {len(rows) - len(missing)}."
     first, *others = summary(sweep, rows)
-    said: dict = {"lines": ["", first, now, *others, f"In {folder.absolute()}:", *written]}
+    said: dict = {"lines": ["", first, now, *others, f"In {folder.resolve()}:", *written]}
     said["code"] = int(any(row["status"] == UNFINISHED for row in rows))
     if not said["code"]:
         inputs = {path for work in behind for path in work.stamps}
