@@ -29,7 +29,7 @@ def ordered(runs):
             if event["fast_slow_fast"]:
                 found.append((order, x_p, event))
                 order = LATER
-            x_p = None if event["spanning"] else event["x_last"] / event["L"]
+            x_p = event["x_last"] / event["L"] if event["spanning"] is False else None
     return found
 
 

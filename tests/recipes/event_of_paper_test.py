@@ -20,7 +20,9 @@ def test_the_first_fast_slow_fast_event_of_a_run_is_apart_and_has_its_precursor(
     """The second one follows an event that spans, so it has no precursor; nor has one with which a
     run begins."""
     slow, arrested = event(True, True), event(False, x_last=0.5)
-    found = picture.ordered([[event(True), arrested, slow, slow, arrested, slow], [slow], []])
+    unfinished = event(None) | {"x_last": None}
+    first_run = [event(True), arrested, slow, slow, arrested, slow, unfinished]
+    found = picture.ordered([first_run, [slow], []])
     assert [order for order, *_ in found] == [FIRST, LATER, LATER, FIRST]
     assert [x_p for _, x_p, _ in found] == [approx(0.5), None, approx(0.5), None]
     assert [*picture.rows(found)][0] == [FIRST, 0.7, approx(0.4), approx(0.6), approx(0.5)]
