@@ -108,8 +108,15 @@ def parts(name, samples):
     ]
 
 
+def ruptured_before(slips):
+    """Whether the block had ruptured before the branch, and so before anything was changed."""
+    return any(one.get("t_before") is not None for one in slips)
+
+
 def slip(slips, way):
     """3C"""
+    if ruptured_before(slips):
+        return None
     fast = [value(one, "fast_slip") for one in slips]
     rms = [value(one, "slow_rms") / value(one, "slow_slip") for one in slips]
     return {
@@ -121,6 +128,8 @@ def slip(slips, way):
 
 def beginning(slips, way):
     """3C-begin: when half of the fast slip has happened, and 5 % of the slow slip."""
+    if ruptured_before(slips):
+        return None
     of, *_ = slips
     time, moved, fast = np.array(of.time), np.array(of.slip), value(of, "fast_slip")
     t_arrest, slow = value(of, "t_arrest"), value(of, "slow_slip")
