@@ -172,7 +172,8 @@ void forget_before(const FirstRuptures& before, FirstRuptures& times) {
 /// Driving force at the last sample not after t; the first sample if all are later.
 double force_at(const LoadingCurve& loading, double t) {
   const auto after = std::upper_bound(loading.time.begin(), loading.time.end(), t);
-  return loading.F_T[static_cast<std::size_t>(after - loading.time.begin()) - 1];
+  const auto index = std::max<std::ptrdiff_t>(after - loading.time.begin() - 1, 0);
+  return loading.F_T[static_cast<std::size_t>(index)];
 }
 
 double smallest_force(const LoadingCurve& loading, double from, double to) {
