@@ -57,7 +57,7 @@ def test_3C_ratios_take_the_peak_of_every_step_until_the_arrest_and_that_of_the_
 @mark.parametrize("measured", [fig3.commands.slip, fig3.commands.beginning])
 def test_a_block_that_had_ruptured_before_the_branch_is_no_sample(measured):
     """Its fast slip came before anything was changed. One that never ruptures counts against."""
-    known = {name: None for name in ("t_rupture", "t_arrest", "fast_slip", "slow_slip")}
+    known: dict = {name: None for name in ("t_rupture", "t_arrest", "fast_slip", "slow_slip")}
     known |= {"slow_rms": None, "slow_r_squared": None, "time": [0.0], "slip": [0.0]}
     assert measured(copied([known | {"t_before": 0.63}] * 3), PRIMARY) is None
     assert measured(copied([known | {"t_before": None}] * 3), PRIMARY) is not None
