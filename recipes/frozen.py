@@ -3,6 +3,8 @@
 import tomllib
 from pathlib import Path
 
+from measure.tables import rounded
+
 TABLE = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 SEEDS = TABLE["seeds"]  # of independent runs
 SEEDS_OF_PREPARED = sorted(TABLE["prepared"])  # of prepared interfaces; the first draws a map
@@ -17,8 +19,3 @@ def sigma_bars(recipe, values, step):
     """The widths of a grid, shifted as this recipe's are; 0 remains, since there is none below."""
     shift = TABLE["shifts"][f"{recipe} sigma_bar"] * step
     return [rounded(of + shift) if of > 0 else of for of in values]
-
-
-def rounded(value):
-    """Without the noise of the 13th digit."""
-    return float(f"{value:.12g}")

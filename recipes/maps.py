@@ -12,6 +12,7 @@ from claims.samples import Sample, Samples, sampled
 from measure import front_map
 from measure.ways import ON_MAP, PRIMARY, WAYS, by_way
 from measure.fronts import TYPES, type_on_map
+from measure.tables import rounded
 
 SEEDS = frozen.SEEDS_OF_PREPARED
 FIRST = SEEDS[0]  # of each place on a map
@@ -23,9 +24,9 @@ NEAR = 4  # steps, to either side of a guess
 
 
 def spaced(first, last, step):
-    """Numbers so far apart, without the noise of the 13th digit."""
+    """Numbers so far apart."""
     count = round((last - first) / step)
-    return [frozen.rounded(first + n * step) for n in range(count + 1)]
+    return [rounded(first + n * step) for n in range(count + 1)]
 
 
 # --- samples -----------------------------------------------------------------------------------
@@ -95,6 +96,14 @@ def fronts_at(places, seeds, options="", title="map", front=front_at):
 
 def places_of(tau_bars, sigma_bars):
     return [(tau, sigma) for tau in tau_bars for sigma in sigma_bars]
+
+
+def grid_of(recipe, tau_bars, sigma_bars):
+    """The places of a recipe's grid, shifted as frozen; both as (first, last, step)."""
+    return places_of(
+        frozen.tau_bars(recipe, spaced(*tau_bars), tau_bars[-1]),
+        frozen.sigma_bars(recipe, spaced(*sigma_bars), sigma_bars[-1]),
+    )
 
 
 @dataclass(frozen=True)

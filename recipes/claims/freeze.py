@@ -18,6 +18,7 @@ from hashlib import sha256
 from itertools import count
 from pathlib import Path
 
+from rupture.commands.code import blocks_with_docstrings
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
@@ -52,12 +53,9 @@ def text_of_python(text):
         if token.type == tokenize.COMMENT:
             row, column = token.start
             lines[row - 1] = lines[row - 1][:column]
-    for node in ast.walk(ast.parse(text)):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
-            if ast.get_docstring(node, clean=False) is not None:
-                of = node.body[0]
-                for row in range(of.lineno, (of.end_lineno or of.lineno) + 1):
-                    lines[row - 1] = ""
+    for docstring, *_ in blocks_with_docstrings(ast.parse(text)):
+        for row in range(docstring.lineno, docstring.end_lineno + 1):
+            lines[row - 1] = ""
     return without_blank(lines)
 
 

@@ -8,7 +8,7 @@ from rupture.reports import value
 
 import paper
 from claims.samples import Sample
-from ensemble.precursors import stretches
+from ensemble.precursors import place_of, stretches
 from events import samples_of_branches
 from fig3.commands import arrest
 from measure.ways import PRIMARY
@@ -29,7 +29,7 @@ def ordered(runs):
             if event["fast_slow_fast"]:
                 found.append((order, x_p, event))
                 order = LATER
-            x_p = event["x_last"] / event["L"] if event["spanning"] is False else None
+            x_p = place_of(event)
     return found
 
 

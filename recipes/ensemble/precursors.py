@@ -18,14 +18,19 @@ EXPECTED = {
 }
 
 
+def place_of(event):
+    """x_p [L] if the next event follows; None of one that spans, or may yet."""
+    return event["x_last"] / event["L"] if event["spanning"] is False else None
+
+
 def pairs_of(loads):
     """(x_p [L], event) of each event that spans and follows one that does not. `loads`: lists of
     all events, in time."""
     return [
-        (before["x_last"] / before["L"], event)
+        (place_of(before), event)
         for events in loads
         for before, event in zip(events, events[1:])
-        if event["spanning"] and not before["spanning"]
+        if event["spanning"] and place_of(before) is not None
     ]
 
 

@@ -88,7 +88,7 @@ def parameters(seed, **changed):
         "junctions.delta_t_R": 0.3 * of["junctions.t_R"],
         "numerics.dt": 2e-7 / stiffness**0.5,
     }
-    return slow.rounded(of | following)
+    return slow.as_typed(of | following)
 
 
 @cache

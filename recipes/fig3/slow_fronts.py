@@ -10,7 +10,7 @@ from rupture.once import each, run
 import maps
 from claims.resampling import interval_by_runs
 from events import CROSSINGS
-from measure.tables import numbers
+from measure.tables import numbers, rounded
 from measure.ways import PRIMARY, WAYS, others
 
 RECORDED = f"--record record.h5 --record-every 2e-5 {CROSSINGS}"
@@ -28,10 +28,10 @@ WINDOWS = {  # options of `analyze slow-slip`
 # --- fronts ------------------------------------------------------------------------------------
 
 
-def rounded(parameters):
-    """The parameters with 12 digits, as they are typed."""
+def as_typed(parameters):
+    """The parameters with 12 digits."""
     return {
-        name: value if isinstance(value, str) else float(f"{value:.12g}")
+        name: value if isinstance(value, str) else rounded(value)
         for name, value in parameters.items()
     }
 

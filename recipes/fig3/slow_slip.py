@@ -58,7 +58,7 @@ def fronts(seed):
     common = {"sigma-bar": 0.1, "tau-bar": 0.1, "numerics.seed": seed}
 
     def parameters(**changed):
-        return slow.rounded(common | changed)
+        return slow.as_typed(common | changed)
 
     return slow.rows_of(VARIANTS, parameters, f"slow slip, seed {seed}")
 

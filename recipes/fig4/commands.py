@@ -13,7 +13,7 @@ from claims.samples import Samples, every
 from events import EVENTS, NO_SLOW_SLIP, all_continued, shown_event, samples_of_branches
 from events import samples_of_events, widened
 from fig4 import strength
-from maps import order, places_of, spaced  # noqa: F401  (order: of claim 4D)
+from maps import grid_of, order, spaced  # noqa: F401  (order: of claim 4D)
 from measure.ways import WAYS, PRIMARY
 from measure.front_map import types_of
 from measure.pairs import share_of_lower
@@ -21,10 +21,6 @@ from measure.pairs import share_of_lower
 REGION = 0.25  # from here on phi is changed [L]
 SHOWN = ("event II", "event I")  # the paper shows the first
 SHAPES = ("uniform", "bell")
-GRID = (
-    frozen.tau_bars("fig4", spaced(0.03, 0.41, 0.02), 0.02),
-    frozen.sigma_bars("fig4", spaced(0, 0.285, 0.015), 0.015),
-)
 # Of edges; their step is that of the map.
 SIGMA_BARS = frozen.sigma_bars("fig4", (0, 0.05, 0.1, 0.16, 0.2, 0.25, 0.285), 0.015)
 
@@ -119,9 +115,8 @@ def prepared_block(shape, tau_bar, sigma_bar):
 @cache
 def prepared():
     """The blocks of interfaces, without those that cannot be prepared."""
-    taus = frozen.tau_bars("fig4", (0.1, 0.14, 0.18), 0.04)
-    sigmas = frozen.sigma_bars("fig4", spaced(0, 0.35, 0.05), 0.05)
-    points = [(shape, *place) for shape in SHAPES for place in places_of(taus, sigmas)]
+    places = grid_of("fig4", (0.1, 0.18, 0.04), (0, 0.35, 0.05))
+    points = [(shape, *place) for shape in SHAPES for place in places]
     return [block for _, block in each(prepared_block, points, "prepared interfaces")]
 
 
@@ -166,7 +161,7 @@ def friction(of, way):
 @cache
 def map_of_types():
     """Over prestress and width of phi."""
-    return maps.map_of(places_of(*GRID))
+    return maps.map_of(grid_of("fig4", (0.03, 0.41, 0.02), (0, 0.285, 0.015)))
 
 
 def each_seed():

@@ -6,19 +6,16 @@ from types import SimpleNamespace
 from rupture.once import keep, run
 
 import events
-import frozen
 import maps
 from claims.samples import Samples
 from events import FINE, LAWS, shown_events, shown_load
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim S6A)
 from fig4 import commands as fig4
-from maps import order, places_of, spaced  # noqa: F401  (of claim S6B)
+from maps import grid_of, order  # noqa: F401  (of claim S6B)
 from measure import front_map
 from measure.ways import PRIMARY
 
 LAW = "decaying"
-TAU_BARS = frozen.tau_bars("figS6", spaced(-0.28, 0.48, 0.04), 0.04)
-SIGMA_BARS = frozen.sigma_bars("figS6", spaced(0, 0.285, 0.015), 0.015)
 
 
 @cache
@@ -41,7 +38,8 @@ def event():
 
 @cache
 def map_of_types():
-    return maps.map_of(places_of(TAU_BARS, SIGMA_BARS), LAWS[LAW], maps.nowhere)
+    grid = grid_of("figS6", (-0.28, 0.48, 0.04), (0, 0.285, 0.015))
+    return maps.map_of(grid, LAWS[LAW], maps.nowhere)
 
 
 # --- what claims measure -----------------------------------------------------------------------

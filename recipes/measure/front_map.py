@@ -11,7 +11,7 @@ from rupture.reports import values
 
 from measure.ways import PRIMARY
 from measure.fronts import TYPES, type_on_map
-from measure.tables import SLOW_STRETCH, write_table
+from measure.tables import SLOW_STRETCH, rounded, write_table
 
 IMPOSSIBLE = "impossible"
 
@@ -71,8 +71,8 @@ def differ(types, pair):
 
 
 def middle(pair):
-    """The place halfway, without the noise of the 13th digit."""
-    return tuple(float(f"{(a + b) / 2:.12g}") for a, b in zip(*pair))
+    """The place halfway."""
+    return tuple(rounded((a + b) / 2) for a, b in zip(*pair))
 
 
 def changes(grid_types):

@@ -17,6 +17,11 @@ SLOW_STRETCH = {  # name in a report: for readers
 }
 
 
+def rounded(value):
+    """Without the noise of the 13th digit."""
+    return float(f"{value:.12g}")
+
+
 def write_table(path, names, rows):
     """Writes all or nothing."""
     with replacing(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:

@@ -11,22 +11,13 @@ from claims.samples import Samples, every
 from events import FINE, LAWS, samples_of_runs
 from fig2.commands import fast_slow_fast, shown_of  # noqa: F401  (of claim exponential-event)
 from fig3.commands import continued
-from maps import fronts_at, places_of, plain_front_at, spaced
+from maps import fronts_at, grid_of, plain_front_at
 from measure import front_map
 from measure.ways import PRIMARY
 from measure.front_map import types_of
 from measure.fronts import TYPES
 
-
-def grid_of(tau_bars, sigma_bars):
-    """Both as (first, last, step)."""
-    return places_of(
-        frozen.tau_bars("robustness", spaced(*tau_bars), tau_bars[-1]),
-        frozen.sigma_bars("robustness", spaced(*sigma_bars), sigma_bars[-1]),
-    )
-
-
-COARSE_MAP = grid_of((0.02, 0.29, 0.03), (0, 0.24, 0.08))
+COARSE_MAP = grid_of("robustness", (0.02, 0.29, 0.03), (0, 0.24, 0.08))
 
 
 # --- exponential slipping times ----------------------------------------------------------------
@@ -39,7 +30,7 @@ def each_run():
 @cache
 def exponential_map():
     """A map on the grid of Figure 4 D, with one seed."""
-    grid = grid_of((0.03, 0.41, 0.02), (0, 0.285, 0.015))
+    grid = grid_of("robustness", (0.03, 0.41, 0.02), (0, 0.285, 0.015))
     return fronts_at(grid, [maps.FIRST], LAWS["exponential"], "exponential map")
 
 

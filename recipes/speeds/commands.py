@@ -7,7 +7,7 @@ from rupture.once import measured, run
 
 from claims.samples import every
 from events import checkpoint_at
-from fig3.slow_fronts import rounded, rows_of, words_of
+from fig3.slow_fronts import as_typed, rows_of, words_of
 from maps import record_of
 from measure.fronts import front_spans
 from speeds.slip_history import history_of
@@ -32,7 +32,7 @@ def parameters(**changed):
     of = {"numerics.seed": 1, "tau-bar": 0.1, "sigma-bar": 0.1, "slider.L": 0.14, "slider.Nx": 57}
     blocks = changed.get("slider.Nx", 57) / 57
     of |= {"slider.M": 0.0756 * blocks, "slider.F_N": 1920 * blocks, "slider.damping": 0.1}
-    return rounded(of | {"numerics.dt": 2e-7} | changed)
+    return as_typed(of | {"numerics.dt": 2e-7} | changed)
 
 
 def of_mass(M):

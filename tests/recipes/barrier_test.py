@@ -28,12 +28,20 @@ def test_counts_the_fronts_that_only_slow_slip_carries_across():
     assert barrier.own_result(places).met
 
 
-def test_a_patch_breaks_if_all_of_its_blocks_do():
-    for ruptured, there, said in (
-        *(((1.0, 1.0), 1.0, "breaks it"), ((1.0, None), 1.0, "jumps over it")),
-        *(((None, 1.0), 1.0, "jumps over it"), ((1.0, 1.0), None, "stops")),
-    ):
-        line = [1.0] * 28 + [*ruptured] + [there] * 2
-        front = Report(t_front=[1.0] * 31 + [there], t_rupture=line)
-        assert barrier.outcome(front, 2) == said
+@pytest.mark.parametrize(
+    "t_patch, t_behind, outcome",
+    [
+        ([1.0, 1.0], 1.0, "breaks it"),
+        ([1.0, None], 1.0, "jumps over it"),
+        ([None, 1.0], 1.0, "jumps over it"),
+        ([1.0, 1.0], None, "stops"),
+    ],
+)
+def test_a_patch_breaks_if_all_of_its_blocks_do(t_patch, t_behind, outcome):
+    line = [1.0] * 28 + t_patch + [t_behind] * 2
+    front = Report(t_front=[1.0] * 31 + [t_behind], t_rupture=line)
+    assert barrier.outcome(front, 2) == outcome
+
+
+def test_widths_are_in_decay_lengths():
     assert [barrier.in_l_0(width) for width in (1, 2, 4, 8)] == [0.36, 0.71, 1.43, 2.86]

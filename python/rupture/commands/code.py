@@ -119,13 +119,18 @@ def digest_of_function(function, store):
 # --- modules -----------------------------------------------------------------------------------
 
 
-def without_docstrings(tree):
+def blocks_with_docstrings(tree):
     """A docstring is the first statement of its block."""
     for node in ast.walk(tree):
         body = getattr(node, "body", None)
         if isinstance(body, list) and body and isinstance(body[0], ast.Expr):
             if isinstance(body[0].value, ast.Constant) and isinstance(body[0].value.value, str):
-                del body[0]
+                yield body
+
+
+def without_docstrings(tree):
+    for body in blocks_with_docstrings(tree):
+        del body[0]
     return tree
 
 
