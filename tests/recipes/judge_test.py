@@ -1,6 +1,6 @@
-"""The judge of claims: conditions, shares and the words for verdicts, and the table of claims."""
+"""The judge of claims: conditions and shares, and the table of claims."""
 
-from itertools import combinations_with_replacement, product
+from itertools import product
 from math import isfinite, nan
 from unittest import mock
 
@@ -8,13 +8,11 @@ from pytest import mark, raises
 from rupture.errors import Failure
 
 from claims import judge
-from claims.claim import Share
 from claims.conditions import RELATIONS, as_number, met
 from claims.judge import as_written, by_way, holds, interval, interval_of, judged, share_of
 from claims.judge import shares_of, unmet, unmet_text
 from claims.samples import Sample, Samples, Sampling, every, sampled
 from claims.table import left_out, read, rows_of, table, ways_of
-from claims.words import needed, reason_of_shares, word_of_shares, word_of_state
 from conftest import ROOT, approx
 from measure.ways import PRIMARY, WAYS
 
@@ -331,6 +329,15 @@ def test_where_every_point_is_needed_a_refusal_is_an_error(monkeypatch):
         every(print, [(1,), (2,)], "points")
 
 
+def test_what_is_shown_changes_no_word():
+    for shown, good in product((GOOD, BAD), range(21)):
+        claim = judged(MADE_UP["one"], measured, samples([shown], runs(good, 20 - good)))
+        assert (
+            claim.verdict
+            == judged(MADE_UP["one"], measured, samples([GOOD], runs(good, 20 - good))).verdict
+        )
+
+
 class TestTable:
     def test_no_claim_belongs_to_two_recipes(self):
         recipes = read("")[1]
@@ -360,84 +367,3 @@ class TestTable:
         for name, row in table().items():
             if row["kind"] == "finding" and row["conditions"]:
                 assert ("fronts" in row.get("ways", ())) != ("" in row.get("left_out", {})), name
-
-
-# --- words ---------------------------------------------------------------------------------
-
-
-def share(low, high, way=PRIMARY, runs=20):
-    return Share(way, 0, 20, runs, low, high)
-
-
-PLACES = (0, 0.15, 0.19, 0.21, 0.45, 0.55, 0.75, 0.85, 1)  # of the ends of an interval
-INTERVALS = [*combinations_with_replacement(PLACES, 2)]
-
-
-def words_that_fit(intervals, runs, bound):
-    """docs/claims.md, line by line."""
-    default, others = intervals[0], intervals[1:]
-    above, below = (
-        [pick(i, bound) for i in intervals]
-        for pick in (lambda interval, b: interval[0] > b, lambda interval, b: interval[1] < b)
-    )
-    if runs < 5:
-        yield "undecided"
-    if not above.count(False):
-        yield "reproduced"
-    if default[1] < 0.2 and all(high < bound for _, high in others):
-        yield "differs"
-    if True in above and True in below:
-        yield "by the measure"
-    if below[0]:
-        yield "in part"
-    yield "undecided"
-
-
-@mark.parametrize("count", (1, 2, 3))
-@mark.parametrize("bound", (0.5, 0.8))
-def test_the_first_line_that_fits_gives_the_word(count, bound):
-    for intervals, runs in product(product(INTERVALS, repeat=count), (4, 5)):
-        shares = [share(low, high, f"way {n}", runs) for n, (low, high) in enumerate(intervals)]
-        word = word_of_shares(shares, bound)
-        assert word == next(words_that_fit(intervals, runs, bound)), (intervals, runs)
-
-
-def test_the_bound_is_0_8_and_0_5_where_one_event_is_enough():
-    assert [needed(row) for row in (MADE_UP["events"], MADE_UP["one"])] == [0.8, 0.5]
-
-
-RANK = ["differs", "in part", "undecided", "reproduced"]
-
-
-@mark.parametrize("size", (5, 10, 20, 87))
-def test_of_all_shares_the_word_is_the_better_the_more_samples_hold(size):
-    """For one way: it never gets worse, all or none of many is clear, and each names itself."""
-    for row in (MADE_UP["events"], MADE_UP["one"]):
-        words = []
-        for k in range(size + 1):
-            shares = [Share(PRIMARY, k, size, size, *interval(k, size))]
-            words.append(word_of_shares(shares, needed(row)))
-            reason = reason_of_shares(words[-1], shares, row)
-            assert f"{k} of {size} {row['share_of']} (primary)" in reason
-        assert sorted(words, key=RANK.index) == words
-        assert "by the measure" not in words
-        assert (
-            (words[0], words[-1]) == ("differs", "reproduced")
-            or size < 10
-            or row is not MADE_UP["one"]
-        )
-
-
-def test_what_is_shown_changes_no_word():
-    for shown, good in product((GOOD, BAD), range(21)):
-        claim = judged(MADE_UP["one"], measured, samples([shown], runs(good, 20 - good)))
-        assert (
-            claim.verdict
-            == judged(MADE_UP["one"], measured, samples([GOOD], runs(good, 20 - good))).verdict
-        )
-
-
-def test_of_one_state_all_none_or_some_ways():
-    for held in product((True, False), repeat=3):
-        word = {3: "reproduced", 0: "differs"}.get(sum(held), "by the measure")
-        assert word_of_state(dict(enumerate(held))) == word
