@@ -28,8 +28,7 @@ class Alarms : public Observer {
   std::int64_t next_step() const override { return next_; }
 
   void observe(const Simulation& simulation) override {
-    constexpr std::int64_t every = 5000;  // steps: one look costs a few
-    next_ = (simulation.state().step / every + 1) * every;
+    next_ = next_look(simulation.state().step);
     for (const Finding& finding : guard_.look(simulation)) {
       if (finding.severity == Severity::alarm) throw Failure(finding.sentence);
     }
@@ -260,13 +259,7 @@ Settings Model::parameters() {
 
 std::unique_ptr<Model> opened(const std::string& path, std::optional<int> threads) {
   Checkpoint start = read_checkpoint(path);
-  if (!start.alarm.empty()) {
-    throw Failure(
-        "an alarm stopped a run in the state of {}, which means nothing (see rupture analyze "
-        "show): "
-        "start from an earlier checkpoint",
-        path);
-  }
+  refuse_state_of_alarm(start, path);
   return std::make_unique<Model>(std::move(start), std::filesystem::absolute(path), threads);
 }
 

@@ -28,6 +28,11 @@ std::string write_checkpoint(const std::filesystem::path& path, const Checkpoint
 /// Throws Failure, in one sentence that names the file, unless it is an intact checkpoint.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
+/// Throws Failure if an alarm stopped a run in the state of this file. `otherwise` goes on with
+/// what else one may do.
+void refuse_state_of_alarm(const Checkpoint& checkpoint, const std::filesystem::path& path,
+                           std::string_view otherwise = "");
+
 /// The checkpoint in a content that was read already. Throws Failure.
 Checkpoint checkpoint_from(const Content& content);
 

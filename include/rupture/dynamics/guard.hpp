@@ -2,6 +2,7 @@
 // limits come from).
 #pragma once
 
+#include <cstdint>
 #include <set>
 
 #include "rupture/dynamics/simulation.hpp"
@@ -24,6 +25,12 @@ struct Finding {
 /// with the number of steps, but less flows in a short time.
 inline double energy_tolerance(std::int64_t steps) {
   return 0.01 * (1.0 + 1000.0 / static_cast<double>(steps));
+}
+
+/// The step after this one at which a run is looked at: one look costs a few steps.
+inline std::int64_t next_look(std::int64_t step) {
+  constexpr std::int64_t every = 5000;
+  return (step / every + 1) * every;
 }
 
 /// The energy account at one instant.

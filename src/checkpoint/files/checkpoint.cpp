@@ -40,4 +40,13 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   return checkpoint;
 }
 
+void refuse_state_of_alarm(const Checkpoint& checkpoint, const std::filesystem::path& path,
+                           std::string_view otherwise) {
+  if (checkpoint.alarm.empty()) return;
+  throw Failure(
+      "an alarm stopped a run in the state of {}, which means nothing (see rupture analyze show): "
+      "start from an earlier checkpoint{}",
+      path.string(), otherwise);
+}
+
 }  // namespace rupture

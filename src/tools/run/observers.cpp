@@ -168,9 +168,8 @@ void Recorder::sync(const Simulation& simulation) {
 }
 
 void Alarms::observe(const Simulation& simulation) {
-  constexpr std::int64_t every = 5000;  // steps: one look costs a few
   const std::int64_t step = simulation.state().step, last = plan_.rule.last_step;
-  next_ = (step / every + 1) * every;
+  next_ = next_look(step);
   if (step < last) next_ = std::min(next_, last);
   for (const Finding& finding : guard_.look(simulation)) {
     const bool alarm = finding.severity == Severity::alarm;

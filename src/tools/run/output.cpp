@@ -53,13 +53,7 @@ Checkpoint read_start(const std::filesystem::path& path, const po::variables_map
   if (start.alarm.empty()) {
     throw UsageError("{} is not the state of an alarm: leave out --from-alarm", path.string());
   }
-  if (!is_wanted) {
-    throw Failure(
-        "an alarm stopped a run in the state of {}, which means nothing (see rupture analyze "
-        "show): "
-        "start from an earlier checkpoint, or give --from-alarm",
-        path.string());
-  }
+  if (!is_wanted) refuse_state_of_alarm(start, path, ", or give --from-alarm");
   start.alarm.clear();
   try {
     check_finite(checkpoint_content(start));
