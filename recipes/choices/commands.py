@@ -1,5 +1,5 @@
 """Details that the paper leaves open, one changed at a time, and two together: fronts on prepared
-interfaces, and loads with the first eight seeds of the ensemble, where those with our choices are.
+interfaces, and eight loads, compared with those with our choices and the same seeds.
 """
 
 from functools import cache
@@ -35,7 +35,7 @@ CHOICES = {
     "decaying-both": f"{LAWS['decaying']} {HALF_EDGES} {ALONG_SPRING}",
 }
 DECAYING = ("decaying", "decaying-exact", "decaying-both")  # without edges, and without branches
-SETTLED = ("reference", "decaying")  # loads of the ensemble
+SETTLED = ("reference", "decaying")  # our choices
 SIGMA_BARS = (0, 0.285)  # of prepared interfaces
 SEEDS = range(401, 409)
 BLOCK = 8  # of branches

@@ -21,7 +21,7 @@ def kind_of(event):
 
 @cache
 def runs(name):
-    """{run: its events}, such as load-403 and decaying-401; seed 1 if it has no effect."""
+    """{run: its events}, such as load-226093 and decaying-226093; seed 1 if it has no effect."""
     law = LAWS[name]
     found = events.runs(law) if law in events.SEEDS else [(1, events.shown_events(law))]
     return {f"{name}-{seed:02d}": of[PRIMARY] for seed, of in found if not isinstance(of, Failure)}

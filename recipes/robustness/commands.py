@@ -29,7 +29,7 @@ def each_run():
 
 @cache
 def exponential_map():
-    """A map on the grid of Figure 4 D, with one seed."""
+    """A map with the steps of Figure 4 D, with one seed."""
     grid = grid_of("robustness", (0.03, 0.41, 0.02), (0, 0.285, 0.015))
     return fronts_at(grid, [maps.FIRST], LAWS["exponential"], "exponential map")
 
