@@ -1,7 +1,12 @@
 """The places of files, and how the commands print."""
 
+import atexit
 import errno
 import os
+import shutil
+import tempfile
+from contextlib import suppress
+from functools import cache
 from pathlib import Path
 
 from rupture.commands.folder import HOLDS_LINKS
@@ -61,14 +66,28 @@ def enter_root():
     os.chdir(ROOT)
 
 
+@cache
+def folder_for_matplotlib():
+    """In the user's own cache, else a new one until the end. Matplotlib evaluates styles that it
+    finds there, so it is not below ROOT, which anybody may have made."""
+    named = os.environ.get("XDG_CACHE_HOME", ""), os.path.expanduser("~/.cache")
+    own = Path(next(filter(os.path.isabs, named), os.devnull))
+    folder = own / "rupture/matplotlib"
+    with suppress(OSError):
+        for one in (own, folder.parent, folder):
+            one.mkdir(mode=0o700, exist_ok=True)
+        if os.access(folder, os.W_OK | os.X_OK):
+            return str(folder)
+    temporary = tempfile.mkdtemp(prefix="rupture-")
+    atexit.register(shutil.rmtree, temporary, ignore_errors=True)
+    return temporary
+
+
 def use_own_environment():
-    """Puts caches into the project's folder and, with Debian's packages, ignores the user's own."""
-    cache = ROOT / "build/cache"
-    (cache / "matplotlib").mkdir(parents=True, exist_ok=True)
+    """Ignores Matplotlib's settings and, with Debian's packages, Python's modules of the user."""
     if os.path.isdir("/usr/lib/python3/dist-packages/h5py"):
         os.environ["PYTHONNOUSERSITE"] = "1"
-    os.environ.update(XDG_CACHE_HOME=str(cache), MPLCONFIGDIR=str(cache / "matplotlib"))
-    os.environ["MATPLOTLIBRC"] = os.devnull
+    os.environ.update(MATPLOTLIBRC=os.devnull, MPLCONFIGDIR=folder_for_matplotlib())
 
 
 def say(text=""):

@@ -158,6 +158,42 @@ def test_a_command_ends_with_a_sentence(
     assert name == "results" or (results / "mine").read_text() == SECRET
 
 
+EVALUATED = "axes.prop_cycle: not a cycle\n"  # Matplotlib warns of what it reads
+CACHED = ".cache/rupture/matplotlib"
+
+
+@pytest.mark.parametrize(
+    "home, cache, made",
+    [
+        ("home", None, f"home/{CACHED}"),
+        ("home", "relative", f"home/{CACHED}"),
+        ("home", "apart", "apart/rupture/matplotlib"),
+        ("/dev/null", None, None),  # a temporary folder
+    ],
+)
+def test_matplotlib_reads_nothing_that_was_planted(clone, tmp_path, monkeypatch, home, cache, made):
+    folders = [tmp_path / name for name in ("home", "home/.cache", "apart", "temporary")]
+    for folder in folders:
+        folder.mkdir()
+    planted = "build/cache/matplotlib/stylelib/a.mplstyle"
+    clone.write(planted, EVALUATED)
+    others = {"PYTHONPATH": "recipes:python"}
+    others |= {"HOME": str(tmp_path / home), "TMPDIR": str(folders[-1]), "MPLCONFIGDIR": "nothing"}
+    if cache:
+        others["XDG_CACHE_HOME"] = str(tmp_path / cache) if cache == "apart" else cache
+    shown = ["import os", "from reproduce.project import *", "use_own_environment()"]
+    shown += ["import matplotlib.style", "print(os.environ['MPLCONFIGDIR'])"]
+    monkeypatch.setattr(clone, "environment", clone.environment | others)
+    done = clone.call("-P", "-c", "\n".join(shown), command="/usr/bin/python3")
+    assert (done.returncode, "a.mplstyle" in done.stderr) == (0, False), done.stderr
+    if made:
+        assert done.stdout.strip() == str(tmp_path / made)
+        assert (tmp_path / made).stat().st_mode & 0o777 == 0o700
+    else:
+        assert done.stdout.startswith(f"{folders[-1]}/rupture-")
+    assert [*folders[-1].iterdir()] == []
+
+
 # --- with the right checksums
 
 
