@@ -5,7 +5,7 @@ import json
 import re
 from dataclasses import MISSING, asdict, dataclass, fields, replace
 
-from rupture.commands.folder import fits, parsed, read_own
+from rupture.commands.folder import fits, in_lines, parsed, read_own
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
@@ -148,7 +148,7 @@ TABLE = {"schema": int, "claims": [CLAIM], "numbers": [form_of(Number)], "builds
 def read_results(path):
     """The claims, the numbers, and the builds."""
     try:
-        content = parsed(read_own(path), {"schema": int, "": object})
+        content = parsed(read_own(path), {"schema": int, "": object}, in_lines)
         if content["schema"] != SCHEMA:
             raise ValueError(f"its schema is {content['schema']}, not {SCHEMA}")
         if not fits(content, TABLE):

@@ -5,7 +5,7 @@ import json
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
-from rupture.commands.folder import parsed, read_own
+from rupture.commands.folder import in_lines, parsed, read_own
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
@@ -64,7 +64,7 @@ def results_in(folder):
     """The own results of a recipe; an empty list if it has none or has not run."""
     path = Path(folder) / OWN
     try:
-        found = [OwnResult(**row) for row in parsed(read_own(path), [FORM])]
+        found = [OwnResult(**row) for row in parsed(read_own(path), [FORM], in_lines)]
         for result in found:
             result.shown()  # what was expected can be read
         return found

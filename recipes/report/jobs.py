@@ -6,7 +6,7 @@ import re
 from collections import Counter
 
 from claims.recipes import RECIPES
-from rupture.commands.folder import parsed, read_own
+from rupture.commands.folder import in_lines, parsed, read_own
 from rupture.commands.identity import Made
 from rupture.commands.script import with_sources
 from rupture.commands.store import have_plain_names
@@ -40,7 +40,8 @@ def jobs_of(works):
         job = {"id": work.own, "command": work.typed}
         job["inputs"] = {name: name_of(source) for name, source in work.inputs.items()}
         found = work.making.store.result(work.own) or {}
-        yield job | {name: found[name] for name in STORED if found.get(name) is not None}
+        known = {name: found[name] for name in STORED if found.get(name) is not None}
+        yield in_lines(job | known)
 
 
 def write_jobs(folder, jobs):
@@ -50,7 +51,7 @@ def write_jobs(folder, jobs):
 def read_jobs(folder):
     path = folder / JOBS
     try:
-        return [parsed(line, JOB) for line in read_own(path).decode().splitlines()]
+        return [parsed(line, JOB, in_lines) for line in read_own(path).decode().splitlines()]
     except FileNotFoundError:
         return []
     except (OSError, ValueError) as error:

@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from rupture.commands.folder import HOLDS_LINKS, Marker, complain, read_own, sha256_of
 from rupture.errors import Failure
-from rupture.tools.command_line import in_one_line
+from rupture.tools.command_line import in_one_line, is_seen
 
 MARKER = Marker("rupture-results", "Results of rupture, layout 1. It has written and may delete:\n")
 FORMER = ".rupture-files"  # the list of versions 0.4 and 0.5
@@ -19,9 +19,10 @@ UNKNOWN = "-"
 
 
 def is_below(name):
-    """Whether it leads to a file below a folder. Anybody may have written the list."""
+    """Whether it leads to a file below a folder, by a name that we give (sweeps/text.py). Anybody
+    may have written the list."""
     path = PurePosixPath(name)
-    is_plain = name == str(path) != "." and "\0" not in name
+    is_plain = name == str(path) != "." and all(map(is_seen, name))
     return is_plain and not path.is_absolute() and ".." not in path.parts
 
 

@@ -11,7 +11,7 @@ from report.written import FORMER, MARKER, is_below, written
 from rupture.commands.store import MARKER as OF_STORE, Store
 from rupture.commands.folder import read_own
 from rupture.errors import Failure
-from rupture.tools.command_line import plural
+from rupture.tools.command_line import in_one_line, plural
 
 HOME = (WORK or ROOT).resolve()
 RESULTS = HOME / "results"
@@ -72,7 +72,7 @@ def say_left(left):
     say("Kept (links are not followed, and this program did not write the other files):")
     for path in left[:NAMED]:
         target = f" -> {os.readlink(path)}" if path.is_symlink() else ""
-        say(f"  {path.relative_to(HOME)}{target}")
+        say(in_one_line(f"  {path.relative_to(HOME)}{target}"))
     if len(left) > NAMED:
         say(f"  and {len(left) - NAMED} more")
 

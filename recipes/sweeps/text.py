@@ -1,11 +1,10 @@
 """The file of a sweep as text: its sections, and what is wrong in a sentence with the line."""
 
 import re
-import unicodedata
 from contextlib import contextmanager
 
 from rupture.errors import Failure, UsageError
-from rupture.tools.command_line import check_known
+from rupture.tools.command_line import check_known, is_seen
 from rupture.units import one_name
 
 SECTIONS = ("sweep", "commands", "values", "quantities")
@@ -16,9 +15,8 @@ HEADER = re.compile(r"\[(.*)\]")
 
 
 def check_letters(text):
-    """No control characters, nor others that do not show, or end a line."""
     for letter in text:
-        if unicodedata.category(letter) in ("Cc", "Cf", "Cs", "Zl", "Zp"):
+        if not is_seen(letter):
             raise UsageError(f"there is a control character, U+{ord(letter):04X}: delete it")
 
 

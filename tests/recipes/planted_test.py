@@ -8,6 +8,7 @@ import re
 import shutil
 import signal
 from contextlib import suppress
+from pathlib import Path
 
 import pytest
 
@@ -216,6 +217,9 @@ VALUES: tuple = (
     "/etc/passwd",
 )
 VALUES += ([], {}, [[{}]], {"../x": 1}, {"at_least": "1/0"})
+UNSEEN = "\x1b]52;c;aQ==\x07\x1b[2J\u202e\ud800"  # a terminal does it, and no file can have it
+SEEN = re.compile(r"[\0-\x09\x0b-\x1f\u202e\ud800]")
+VALUES += (UNSEEN, {UNSEEN: UNSEEN}, json.loads("[" * 700 + "]" * 700))
 
 
 def changed(document):
@@ -258,9 +262,19 @@ def test_other_types_and_values_are_refused_or_shown_as_text(copied, monkeypatch
             seal(copied.results, path)
             html = page.render(page.contents(copied.root, ""))
             assert "<script" not in html and not re.search(r"(href|src)=.(\.\.|/)", html)
+            assert not SEEN.search(html)
             shown += 1
         path.write_text(before)
     assert shown > 20
+
+
+@pytest.mark.parametrize("name", [b"\xff", b"\x1b[2J", "\u202e".encode()])
+def test_a_name_that_nobody_could_have_given_is_none_of_ours(copied, name):
+    planted = Path(copied.results, "sweeps", os.fsdecode(name), "z.ini")
+    spill(planted, SECRET)
+    seal(copied.results, planted)
+    assert copied.report().returncode == 0
+    assert "sweeps" not in (copied.results / "ro-crate-metadata.json").read_text()
 
 
 def test_texts_in_the_picture_of_all_claims_are_texts(copied):

@@ -134,6 +134,7 @@ def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     root = project.root
     for name in "disk/a results/a results/x/y results/mine mine build/other/o".split():
         project.write(name)
+    project.write("results/you\x1b\udcff")
     project.write("build/release/CMakeCache.txt", CACHE)
     for name in ("results/empty", "build/empty"):
         (root / name).mkdir()
@@ -144,7 +145,7 @@ def test_clean_deletes_what_was_written_here_and_names_the_rest(project):
     deleted, _, *left = project.call("clean").stdout.splitlines()
     assert deleted == "Deleted 2 files in results/, build/release/."
     kept = ["results/disk -> ../disk", "results/link -> ../mine", "results/mine"]
-    assert left == [f"  {name}" for name in (*kept, "build/other/o")]
+    assert left == [f"  {name}" for name in (*kept, "results/you??", "build/other/o")]
     for name in ("disk/a", "mine", *(one.split()[0] for one in kept)):
         assert (root / name).exists()
     assert not (root / "results/x").exists()

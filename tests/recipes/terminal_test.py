@@ -1,5 +1,8 @@
 """What a figure alone says of its claims, and the verdicts of the release beside it."""
 
+import json
+from dataclasses import asdict, replace
+
 import pytest
 
 from claims.claim import Claim, Share, write_claims
@@ -91,3 +94,16 @@ def test_what_is_shown_is_no_verdict(tmp_path, capsys):
     print_claims("fig3", tmp_path, tmp_path)
     command = "./reproduce.sh ensemble fig3"
     assert capsys.readouterr().out == TEXT.format(folder=folder, command=command)
+
+
+def test_a_terminal_gets_no_control_characters(tmp_path, capsys):
+    unseen = "\x1b]52;c;aQ==\x07\x1b[2J\u202e\ud800"
+    row = asdict(replace(CLAIMS[0], id=unseen, paper=unseen, reason=unseen))
+    own = {"id": unseen, "question": unseen, "measured": {unseen: unseen}}
+    table = {"schema": 3, "claims": [row], "numbers": [], "builds": [[unseen, 1]]}
+    spill(tmp_path / "figS5/claims.json", json.dumps(table))
+    spill(tmp_path / "figS5/own.json", json.dumps([own]))
+    print_claims("figS5", tmp_path, tmp_path)
+    said = capsys.readouterr().out
+    assert said.count("?]52;c;aQ==??[2J??") == 7
+    assert said.replace("\n", "").isprintable()

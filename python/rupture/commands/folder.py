@@ -19,6 +19,7 @@ from rupture.errors import Failure
 from rupture.tools.command_line import in_one_line
 
 LARGEST = 2**28  # of a file that is read as a whole [bytes]
+DEEPEST = 20  # lists within each other that are shown
 HOLDS_LINKS = "is a link, which is not followed: move it away"
 
 
@@ -82,10 +83,23 @@ def integer(text):
     return int(text)
 
 
-def parsed(text, form, **options):
-    """JSON of a form. Raises ValueError for any other."""
+def in_lines(value, deepest=DEEPEST):
+    """JSON that readers see: its texts are lines without control characters."""
+    if isinstance(value, str):
+        return in_one_line(value)
+    if isinstance(value, (list, dict)) and not deepest:
+        raise ValueError("it is nested too deeply")
+    if isinstance(value, list):
+        return [in_lines(one, deepest - 1) for one in value]
+    if isinstance(value, dict):
+        return {in_one_line(name): in_lines(one, deepest - 1) for name, one in value.items()}
+    return value
+
+
+def parsed(text, form, change=lambda value: value, **options):
+    """JSON, after a change, of a form. Raises ValueError for any other."""
     try:
-        value = json.loads(text, parse_int=integer, **options)
+        value = change(json.loads(text, parse_int=integer, **options))
     except RecursionError:
         raise ValueError("it is nested too deeply") from None
     if not fits(value, form):

@@ -8,6 +8,7 @@ import os
 import re
 import signal
 import sys
+import unicodedata
 from contextlib import suppress
 from functools import partial
 from itertools import takewhile
@@ -137,9 +138,14 @@ def check_known(name, known, what):
         raise UsageError(f"{what} '{name}'{suggestion(name, known)}")
 
 
+def is_seen(letter):
+    """No control character, nor another that does not show, or ends a line."""
+    return unicodedata.category(letter) not in ("Cc", "Cf", "Cs", "Zl", "Zp")
+
+
 def in_one_line(text):
     """The text in one line, without control characters, which names of files may contain."""
-    return "".join(letter if letter.isprintable() else "?" for letter in text)
+    return "".join(letter if is_seen(letter) else "?" for letter in text)
 
 
 def plural(number, noun):
