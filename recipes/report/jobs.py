@@ -9,16 +9,11 @@ from claims.recipes import RECIPES
 from rupture.commands.folder import in_lines, parsed, read_own
 from rupture.commands.identity import Made
 from rupture.commands.script import with_sources
-from rupture.commands.store import have_plain_names
+from rupture.commands.store import have_plain_names, is_moment
 from rupture.errors import Failure
 from rupture.replacing import write_whole
 
 JOBS = "jobs.jsonl"
-
-
-def is_moment(value):
-    """Seconds since 1970, or between two moments."""
-    return isinstance(value, (int, float)) and 0 <= value < 1e11
 
 
 JOB = {"id": re.compile("[0-9a-f]+"), "command": str, "inputs?": {"": str}, "build?": str}
@@ -39,7 +34,7 @@ def jobs_of(works):
     for work in with_sources(works):
         job = {"id": work.own, "command": work.typed}
         job["inputs"] = {name: name_of(source) for name, source in work.inputs.items()}
-        found = work.making.store.result(work.own) or {}
+        found = work.making.known(work) or {}
         known = {name: found[name] for name in STORED if found.get(name) is not None}
         yield in_lines(job | known)
 

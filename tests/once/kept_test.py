@@ -3,6 +3,7 @@
 import json
 import os
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -168,6 +169,38 @@ def test_what_is_not_as_it_was_written_is_made_again_with_a_sentence(
     assert capfd.readouterr().err == ""
 
 
+def change_known(path, others):
+    """With its digest; what shall be None goes."""
+    known = json.loads(path.read_bytes()) | {"digest": None} | others
+    known = {name: value for name, value in known.items() if value is not None}
+    forge(path, json.dumps(known | {"build": None})[1:].encode())
+
+
+@pytest.mark.parametrize(
+    "program, others",
+    [
+        ("analyze", {"report": None, "kept": {}}),
+        ("load", {"report": {}, "kept": None, "checksums": None}),
+        ("analyze", {"started": -(10**18)}),
+        ("load", {"started": 10**12}),
+    ],
+)
+def test_a_result_that_the_command_cannot_have_is_none(lab, capfd, program, others):
+    first = front(keep=["a.h5"])
+    lab.call()
+    for name, text in lab.stored("*.json").items():
+        if json.loads(text)["command"].startswith(program):
+            change_known(lab.store / name[:2] / name, others)
+    with suppress(once.Unknown):
+        lab.call(dry_run=True)
+        str(front(words="--x 1" if program == "load" else "", keep=["a.h5"]))
+    assert "it is done again" in capfd.readouterr().err
+    lab.call()
+    assert front(keep=["a.h5"]) == first
+    assert front(words="--x 1", keep=["a.h5"]).read == first.read
+    assert len(lab.ran()) == 4
+
+
 def test_nothing_outside_is_deleted_whatever_a_result_says_of_its_files(lab):
     outside = lab.write("outside", "mine")
     front(keep=["a.h5"])
@@ -177,9 +210,7 @@ def test_nothing_outside_is_deleted_whatever_a_result_says_of_its_files(lab):
         own = path.name.removesuffix("a.h5")
         path.with_name(own).mkdir()
         result = path.with_name(f"{own}json")
-        known = json.loads(result.read_bytes()) | {"kept": {"/../../../outside": ""}}
-        known.pop("digest")
-        forge(result, json.dumps(known)[1:].encode())
+        change_known(result, {"kept": {"/../../../outside": ""}})
     front(words="--x 1", keep=["a.h5"])
     assert outside.read_text() == "mine"
 

@@ -11,7 +11,7 @@ from rupture.commands.code import digest_of_program, path_of, stamp_of
 from rupture.commands.folder import complain
 from rupture.commands.identity import Made, Refused
 from rupture.commands.pool import Stopped
-from rupture.commands.store import link_or_copy, writing
+from rupture.commands.store import has_made, has_reported, link_or_copy, writing
 from rupture.errors import Failure
 
 
@@ -105,9 +105,13 @@ class Making:
 
     # --- what is there
 
+    def known(self, work):
+        """Its result; None if nobody has done it."""
+        return self.store.result(work.own, has_reported if work.has_report else has_made)
+
     def report(self, work):
         self.scope.asked.append(work)
-        result = self.store.result(work.own) or self.do(work)
+        result = self.known(work) or self.do(work)
         return self.answer(result)["report"] if result else Untold()
 
     def answer(self, result):
@@ -143,7 +147,7 @@ class Making:
                 self.held[work] = self.held.pop(work)
                 if self.dry_run or path.is_file():
                     return path
-        result = self.store.result(work.own)
+        result = self.known(work)
         return result and self.store.kept(work.own, made.name, self.answer(result))
 
     # --- doing it
@@ -159,7 +163,7 @@ class Making:
             with self.pool.waits():
                 work.lock.acquire()
         try:
-            result = self.store.result(work.own) or {}
+            result = self.known(work) or {}
             is_report = result and (work.has_report or result["status"] == "refused")
             if is_report or work in self.held:  # somebody has just done it
                 return result
@@ -171,7 +175,7 @@ class Making:
     def check_sources(self, work):
         """Raises Refused if it is known that one of its files cannot be made."""
         for source in work.sources():
-            if result := self.store.result(source.own):
+            if result := self.known(source):
                 self.answer(result)
             else:
                 self.check_sources(source)
@@ -272,7 +276,7 @@ class Making:
         """Files that do not stay."""
         if self.held.pop(work, None) is None or self.dry_run:
             return
-        result = self.store.result(work.own)
+        result = self.known(work)
         if result and work.kept - result["kept"].keys():  # asked for after it was done
             self.store.save(work.own, result | {"kept": self.stored(work, result)})
         shutil.rmtree(self.store.now / work.own, ignore_errors=True)

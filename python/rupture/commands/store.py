@@ -19,7 +19,15 @@ from rupture.errors import MachineFailure
 
 MARKER = Marker("rupture-store", "Results of rupture, layout 1. All of it may be deleted.\n")
 BODY = len('{"digest": "",') + 64  # where the rest of a result begins
-COMMON = {"command": str, "build": str | None, "started": int, "seconds": float | int, "code?": int}
+
+
+def is_moment(value):
+    """Seconds since 1970, or between two moments."""
+    return isinstance(value, (int, float)) and 0 <= value < 1e11
+
+
+COMMON = {"command": str, "build": str | None, "code?": int}
+COMMON |= {"started": is_moment, "seconds": is_moment}
 REFUSED = COMMON | {"status": re.compile("refused"), "sentence": str}
 REPORTED = COMMON | {"status": re.compile("done"), "report": object}
 
@@ -58,9 +66,19 @@ def head(own, body):
     return f'{{"digest": "{found}",'.encode()
 
 
+def has_reported(value):
+    """The result of `analyze`, or of a measurement."""
+    return fits(value, REFUSED) or fits(value, REPORTED)
+
+
+def has_made(value):
+    """The result of a command that writes files."""
+    return fits(value, REFUSED) or fits(value, MADE)
+
+
 def is_result(value):
-    """Of a command."""
-    return any(fits(value, form) for form in (REFUSED, REPORTED, MADE))
+    """Of any command."""
+    return has_reported(value) or has_made(value)
 
 
 def as_read(body, form=dict):
