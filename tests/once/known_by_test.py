@@ -186,6 +186,37 @@ def test_a_measurement_is_known_by_its_code_and_what_it_imports(lab):
     assert lab.ran() == ["load -o a.h5"] * 2
 
 
+@pytest.mark.parametrize(
+    "level, name",
+    [
+        (0, "{folder}/elsewhere/evil"),
+        (2, "{folder.name}.elsewhere.evil"),
+        (1, "../{folder.name}/elsewhere/evil"),
+        (0, "elsewhere/evil"),
+        (0, "n" * 300),
+    ],
+)
+def test_what_a_module_cannot_import_is_not_read(lab, capfd, level, name):
+    first = measure(lab)
+    lab.write("elsewhere/evil.py", "def (:")
+    store, source = lab.call().store, (lab.folder / "sizes.py").read_bytes()
+    planted = {"code": "c", "imports": [[level, name.format(folder=lab.folder)]]}
+    store.save(code.digest("code", source), planted)
+    assert measure(lab) == first
+    assert "it is done again" in capfd.readouterr().err
+    assert lab.ran() == ["load -o a.h5"], "its code is known again"
+
+
+def test_a_relative_import_counts(lab):
+    lab.write("package/helpers.py", "HALF = 0.5\n")
+    lab.write("package/inside/own.py", "from ..helpers import HALF\nfrom . import other\n")
+    lab.write("package/inside/other.py", "")
+    store, own = lab.call().store, lab.folder / "package/inside/own.py"
+    for _ in range(2):  # it is known then
+        names = {path.name for path in code.modules_behind([own.resolve()], store)}
+        assert names == {"own.py", "helpers.py", "other.py"}
+
+
 def test_a_changed_program_measures_again(lab):
     measure(lab, keep=["a.h5"])
     with open(lab.folder / "bin/analyze", "a") as file:

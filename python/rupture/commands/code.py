@@ -13,7 +13,7 @@ import sys
 import sysconfig
 import time
 from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 from rupture.commands.folder import open_regular
@@ -28,6 +28,7 @@ NOT_COMPUTED_WITH = (b".note.gnu.build-id", OF_BUILD)
 ELF = b"\x7fELF\x02"
 VERSION = re.compile(r"\d+\.\d+\.\d+")
 LOADED, NO_BITS = 2, 8  # in ELF: a flag of sections in memory; the type of those without bytes
+LONGEST = 250  # of the name of a module [bytes], which is a file's
 BEGAN = time.time()
 STANDARD = sysconfig.get_paths()["stdlib"]
 
@@ -144,12 +145,27 @@ def imported(tree):
             yield from ((node.level, name.strip(".")) for name in names)
 
 
-def is_import(one):
-    is_pair = isinstance(one, list) and [*map(type, one)] == [int, str]
-    return is_pair and 0 <= one[0] < 99 and "\0" not in one[1]
+def folders_of_modules():
+    """Where modules of ours and of users are, not those of others."""
+    others = ("site-packages", "dist-packages")
+    return [Path(p) for p in sys.path if not p.startswith(STANDARD) | p.endswith(others)]
 
 
-CODE = {"code": str, "imports": [is_import]}  # what the store has of a module
+def is_import(one, highest):
+    """Of a module, whose relative imports have up to so many dots. Anybody may have named it."""
+    if not isinstance(one, list) or [*map(type, one)] != [int, str]:
+        return False
+    is_name = all(part == "*" or part.isidentifier() for part in one[1].split("."))
+    return is_name and len(one[1].encode()) < LONGEST and 0 <= one[0] <= highest
+
+
+@cache
+def form_of_code(folder):
+    """Of what the store has of a module in a folder. Its imports lead to no folder around all
+    modules."""
+    tops = [top.resolve() for top in (*folders_of_modules(), PACKAGE.parent)]
+    below = [len(folder.relative_to(top).parts) for top in tops if folder.is_relative_to(top)]
+    return {"code": str, "imports": [partial(is_import, highest=1 + max(below, default=0))]}
 
 
 def read_module(path, store):
@@ -157,7 +173,7 @@ def read_module(path, store):
     if os.stat(path).st_ctime > BEGAN:  # what was imported may be another text
         raise Failure(f"{path} has changed meanwhile: start again")
     own = digest("code", source := path.read_bytes())
-    if not (known := store.result(own, CODE)):
+    if not (known := store.result(own, form_of_code(path.resolve().parent))):
         tree = ast.parse(source)
         imports = sorted(set(imported(tree)))
         known = {"code": digest(ast.dump(without_docstrings(tree))), "imports": imports}
@@ -170,8 +186,7 @@ def modules_at(level, name, folder):
     """The files of a module of ours, and of the packages around it; none of others."""
     places = [folder.joinpath(*[".."] * (level - 1))]
     if not level:
-        others = ("site-packages", "dist-packages")
-        places += [Path(p) for p in sys.path if not p.startswith(STANDARD) | p.endswith(others)]
+        places += folders_of_modules()
         places += [PACKAGE.parent] * name.startswith("rupture")
     parts, found = name.split("."), []
     for n in range(1, len(parts) + 1):
