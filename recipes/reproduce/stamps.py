@@ -71,7 +71,7 @@ def is_current(recipe, is_whole, store, main=CLAIMS):
     """`is_whole`: whether all samples are wanted, not only those that are known; `main`: a file
     that it has certainly written."""
     stamp = store.result(record_of(recipe, "stamp"), STAMP)
-    if not stamp or is_whole and stamp["lacks"] or not is_there(recipe, main):
+    if not (stamp and stamp["files"]) or is_whole and stamp["lacks"] or not is_there(recipe, main):
         return False
     if any(store.place(own, "json").exists() for own in stamp["lacks"]):
         return False

@@ -20,6 +20,7 @@ from report import page
 from report.jobs import read_jobs
 from report.written import seal
 from reproduce import stamps
+from rupture.commands.store import Store
 from rupture.errors import Failure
 from stand_ins import Project as Clone
 
@@ -204,6 +205,14 @@ def test_only_modules_of_ours_are_parsed(tmp_path):
     os.mkfifo(tmp_path / "b.py")
     with pytest.raises(Failure, match="b.py: not a regular file"):
         stamps.content_of(tmp_path / "b.py", None)
+
+
+def test_results_made_from_nothing_are_not_up_to_date(copied, tmp_path, monkeypatch):
+    monkeypatch.chdir(copied.root)
+    store = Store(tmp_path / "store")
+    for files in (["recipes/fig2/commands.py"], []):
+        stamps.save("fig2", stamps.described(files, store), [], store)
+        assert stamps.is_current("fig2", True, store) == bool(files)
 
 
 VALUES: tuple = (
