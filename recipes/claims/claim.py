@@ -107,6 +107,7 @@ def write_claims(path, claims, numbers=(), builds=()):
     that have computed what was judged (report/jobs.py)."""
     content = {"schema": SCHEMA, "claims": [*map(asdict, claims)]}
     content |= {"numbers": [*map(asdict, numbers)], "builds": builds}
+    content = in_lines(content)  # a store may say anything
     text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False, default=plain) + "\n"
     write_whole(path, text)
 

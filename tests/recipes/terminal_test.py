@@ -107,3 +107,4 @@ def test_a_terminal_gets_no_control_characters(tmp_path, capsys):
     said = capsys.readouterr().out
     assert said.count("?]52;c;aQ==??[2J??") == 7
     assert said.replace("\n", "").isprintable()
+    write_claims(tmp_path / "figS5/claims.json", [Claim(**row)])  # of what a store says
