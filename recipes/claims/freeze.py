@@ -54,8 +54,10 @@ def text_of_python(text):
             row, column = token.start
             lines[row - 1] = lines[row - 1][:column]
     for docstring, *_ in blocks_with_docstrings(ast.parse(text)):
-        for row in range(docstring.lineno, docstring.end_lineno + 1):
-            lines[row - 1] = ""
+        first, last = docstring.lineno - 1, docstring.end_lineno - 1
+        before = lines[first].encode()[: docstring.col_offset]
+        after = lines[last].encode()[docstring.end_col_offset :]
+        lines[first : last + 1] = [""] * (last - first) + [(before + after).decode()]
     return without_blank(lines)
 
 
@@ -153,9 +155,9 @@ def problems(root):
     if not table["D"]:
         return
     known, changed = table["files"], table["changed_since"]
-    if digest_of(known) != table["D"] or derived(table["D"], table["shifts"]) != {
-        name: table[name] for name in ("seeds", "prepared", "shifts")
-    }:
+    stated = {name: table[name] for name in ("seeds", "prepared", "shifts")}
+    follows = derived(table["D"], table["shifts"])
+    if digest_of(known) != table["D"] or json.dumps(follows) != json.dumps(stated):
         yield f"{TABLE}: the files, seeds and places are not those that follow from D."
     for name in sorted({*known, *files}):
         if files.get(name) != known.get(name) and not reason_of(changed.get(name)):

@@ -44,6 +44,14 @@ def compared(text):
         return text
 
 
+def check_name(name, taken):
+    """Of a value, which is the heading of a column, too."""
+    if name in taken:
+        raise UsageError(f"'{name}' has a meaning of its own: take another name")
+    if not NAME.fullmatch(name):
+        raise UsageError(f"'{name}' cannot be the heading of a column")
+
+
 class Sweep:
     def __init__(self, path):
         self.name = name_of(path)
@@ -109,15 +117,19 @@ class Sweep:
 
     def all_points(self):
         lists: dict[str, dict] = {}
+        taken = {*STATE, *OWN, *self.kept}
         for section in filter(is_values, self.text.sections):
             lists[section] = {}
             for name, text in self.text[section].items():
                 with self.text.errors_at(section, name):
+                    check_name(name, {"variant", *taken})
                     lists[section][name] = values_of(text)
         with self.text.errors_at("sweep", "points"):
             name = self.keys.get("points")
             self.table = existing(self.folder / name) if name else None
             rows = rows_in(self.table) if name else [{}]
+            for name in next(iter(rows), {}):
+                check_name(name, {"variant", *taken} if lists.keys() - {VALUES} else taken)
         self.lists = [item for one in lists.values() for item in one.items()]
         with self.text.errors_at(VALUES):
             found = [*combined(lists, rows)]
@@ -136,8 +148,6 @@ class Sweep:
     def chosen(self, names):
         """The values for {values}: those that no hole of a command names. What only other values
         name is none either, unless the program knows it."""
-        if wrong := [name for name in names if name in STATE or not NAME.fullmatch(name)]:
-            raise UsageError(f"'{wrong[0]}' cannot be the heading of a column")
         for command in self.commands:
             with self.text.errors_at("commands", command.name):
                 self.check_names(command, {*names})
@@ -150,10 +160,11 @@ class Sweep:
         return found
 
     def check_names(self, command, names):
-        if command.name in names:
-            raise UsageError(f"'{command.name}' is the name of a value, too: take another one")
+        later = {hole for hole in command.holes if hole.partition(".")[0] in self.text["commands"]}
+        for name in names & {command.name, *later}:
+            raise UsageError(f"'{name}' is the name of a value, too: take another one")
         for hole in command.holes:
-            if hole.partition(".")[0] not in self.text["commands"] and hole not in names | OWN:
+            if hole not in later | names | OWN:
                 near = suggestion(hole, names) or f"; there are {', '.join(sorted(names))}"
                 raise UsageError(f"'{{{hole}}}': there is no '{hole}'{near}")
 

@@ -1,6 +1,5 @@
 """The table of a sweep: a row for each point, and what is said of them in the terminal."""
 
-import re
 import shutil
 from collections import Counter
 from dataclasses import dataclass
@@ -12,12 +11,12 @@ import numpy as np
 from measure.fronts import TYPES
 from measure.tables import write_table
 from rupture.tools.command_line import in_one_line, plural
-from rupture.units import without_unit
+from rupture.units import AMOUNT, without_unit
 from sweeps.picture import draw
 from sweeps.points import DONE, REFUSED, UNFINISHED, most_said
 
 TWO_DECADES = 100
-FORMULA = re.compile(r"[=@]|[-+](?![\d.])")  # of a spreadsheet
+FORMULA = ("=", "@", "+", "-")  # begins one of a spreadsheet, unless it is a number
 
 
 @dataclass(frozen=True)
@@ -73,7 +72,8 @@ def is_geometric(places):
 def text_of(cell):
     if isinstance(cell, str):
         cell = in_one_line(cell)
-        return f"'{cell}" if FORMULA.match(cell) else cell
+        is_formula = cell.startswith(FORMULA) and not AMOUNT.fullmatch(cell)
+        return f"'{cell}" if is_formula else cell
     return "" if cell is None else str(cell).lower() if isinstance(cell, bool) else str(cell)
 
 

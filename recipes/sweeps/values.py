@@ -17,17 +17,18 @@ from sweeps.text import check_letters, read_text
 RANGE = re.compile(r"(.+?)\s+to\s+(.+?)(?:\s+(by|in)\s+(.+))?")
 WITH_UNIT = re.compile(rf"[-+]?{NUMBER}\s*{UNIT}")
 REFERENCE = re.compile(r"\{([^{}]+)\}")
-HEADING = re.compile(r"^(.*?)(\s*\[([^\[\]]*)\])?$")  # of a table: a name, and perhaps a unit
+HEADING = re.compile(r"^(.*?)((?<!\s)\s*\[([^\[\]]*)\])?$")  # of a table: a name, perhaps a unit
 LIMIT = 100_000  # points of a sweep
 LONGEST = 200  # letters of a value
 FORMULA = re.compile(r"[-+*/(). 0-9eEsqrt]+")
 MAY_HAVE = "it may have numbers, {names}, + - * / **, parentheses, and sqrt"
+NOT_REAL = "it is not a finite real number"
 ARITHMETIC: dict[type, Callable] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
-    ast.Pow: operator.pow,
+    ast.Pow: math.pow,
     ast.UAdd: operator.pos,
     ast.USub: operator.neg,
 }
@@ -55,16 +56,23 @@ def references(text):
     return frozenset(REFERENCE.findall(text))
 
 
+def real(operation, *numbers):
+    try:
+        return operation(*numbers)
+    except (OverflowError, ValueError):
+        raise ValueError(NOT_REAL) from None
+
+
 def worth(node):
     """Of a parsed formula. All numbers are floats, so that no power is without end."""
-    if isinstance(node, ast.Constant):
+    if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
         return float(node.value)
     if isinstance(node, ast.BinOp) and type(node.op) in ARITHMETIC:
-        return ARITHMETIC[type(node.op)](worth(node.left), worth(node.right))
+        return real(ARITHMETIC[type(node.op)], worth(node.left), worth(node.right))
     if isinstance(node, ast.UnaryOp) and type(node.op) in ARITHMETIC:
         return ARITHMETIC[type(node.op)](worth(node.operand))
     if isinstance(node, ast.Call) and ast.unparse(node.func) == "sqrt" and len(node.args) == 1:
-        return math.sqrt(worth(node.args[0]))
+        return real(math.sqrt, worth(node.args[0]))
     raise ValueError(MAY_HAVE)
 
 
@@ -84,8 +92,8 @@ def calculate(text, values):
         if not FORMULA.fullmatch(formula):
             raise ValueError(MAY_HAVE)
         found = worth(ast.parse(formula, mode="eval").body)
-        if isinstance(found, complex) or not math.isfinite(found):
-            raise ValueError("it is not a finite real number")
+        if not math.isfinite(found):
+            raise ValueError(NOT_REAL)
         return text_of(found)
     except (ArithmeticError, SyntaxError, MemoryError, RecursionError, ValueError) as error:
         why = error if isinstance(error, (ArithmeticError, ValueError)) else "it is no formula"
@@ -97,7 +105,9 @@ def worked_out(text, values):
     """`values`: pairs of a name and its text. In values along x, each number may be calculated."""
     parts = re.split(r"(\s+(?:from|to|and)\s+)", text) if is_along_x(text) else [text]
     known = dict(values)
-    return "".join(calculate(one, known) if references(one) else one for one in parts)
+    found = "".join(calculate(one, known) if references(one) else one for one in parts)
+    check_length(found)  # of others that are filled in, too
+    return found
 
 
 def calculated(values):
@@ -155,7 +165,7 @@ def values_of(text):
     for one in listed:
         check_length(one)
     try:
-        if not is_along_x(text) and (match := RANGE.fullmatch(text.strip())):
+        if not is_along_x(text) and (match := RANGE.fullmatch(", ".join(listed))):
             return span(*match.groups())
     except ValueError as error:
         raise ValueError(f"'{text}' is not a range: {error}") from None

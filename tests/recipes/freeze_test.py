@@ -40,6 +40,7 @@ def edit(root, name, old, new):
         ("recipes/measure/slip.py", "blocks", "of a block", False),
         ("recipes/measure/slip.py", '"""It."""', '"""It\n\n    in words."""', False),
         ("recipes/measure/slip.py", "def f():", "\n\ndef f():", False),
+        ("recipes/measure/slip.py", '"""It."""', '"""It."""; return 1', True),
         ("src/analysis/front.cpp", "5", "7", True),
         ("src/analysis/front.cpp", "A front", "The front", False),
         ("README.md", "Nothing", "Something", False),
@@ -77,7 +78,8 @@ def test_a_change_has_a_reason_and_the_readme_names_its_rows(root, capsys):
 
 
 @mark.parametrize(
-    "old, new", [("seeds = [", "seeds = [7, "), ('sigma_bar" = 0.', 'sigma_bar" = 1.')]
+    "old, new",
+    [("seeds = [", "seeds = [7, "), (", ", ".0, "), ('sigma_bar" = 0.', 'sigma_bar" = 1.')],
 )
 def test_seeds_and_places_that_do_not_follow_are_noticed(old, new, root):
     freeze.main(["--write"], root)

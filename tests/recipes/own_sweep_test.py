@@ -159,6 +159,8 @@ def test_ten_thousand_points_are_checked_in_little_time(read):
 
 # --- refusals ---------------------------------------------------------------------------------
 
+RESERVED = ("values", "variant", "base", "status", "sentence", "point")
+OWN_MEANING = "has a meaning of its own: take another name"
 LATER = "\nb = restart e.h5 --until {front.t_rupture.8} -o b.h5"
 REFUSED = [
     # what of SWEEP, is replaced by what, sentence
@@ -224,6 +226,10 @@ REFUSED = [
     (VALUES, "", "there are no points"),
     (VALUES, f"{VALUES}\ntaubar = 1", "prepare has no option --taubar: did you mean '--tau-bar'"),
     (VALUES, f"{VALUES}\nstart = 1", "'start' is the name of a value, too"),
+    *((VALUES, f"{VALUES}\n{name} = 1, 2", f"line 9: '{name}' {OWN_MEANING}") for name in RESERVED),
+    (VALUES, f"{VALUES}\n[variant A]\nvariant = B", f"line 10: 'variant' {OWN_MEANING}"),
+    ("[sweep]", "[sweep]\nkeep = s.h5\npoints = kept.csv", f"line 3: 's.h5' {OWN_MEANING}"),
+    ("[sweep]", "[variant A]\n[sweep]\npoints = labels.csv", f"line 3: 'variant' {OWN_MEANING}"),
     (VALUES, "tau-bar = 0.1, high, 0.2", r"tau-bar must be a finite number \(got 'high'"),
     (VALUES, f"{VALUES}\njunctions.t_R = 2ms, nan", r"must be a finite number in s \(got '"),
     (VALUES, f"{VALUES}\njunctions.t_R = 2ms, 1mm", r"must be a finite number in s \(got '"),
@@ -232,6 +238,11 @@ REFUSED = [
     (VALUES, f"{VALUES}\njunctions.law = reference, other", r"decaying or distance \(got 'other'"),
     (VALUES, f"{VALUES}\nshape = uniform, bel", r"must be uniform or bell \(got 'bel'\)"),
     (VALUES, f"{VALUES}\njunctions.mu_s = 0.5 from 1 to x", "a place of junctions.mu_s must be"),
+    (
+        " --json\n[values]",
+        f"{LATER}\n[values]\nfront.t_rupture.8 = 1",
+        "'front.t_rupture.8' is the",
+    ),
     # values that would be options
     ("-o s.h5", "-o s.h5 {n}", "the value '-f' would be an option"),
     ("-o s.h5", "-o s.h5 --{n2}", "must not have --force"),
@@ -257,7 +268,8 @@ OTHERS = "n = -f\nn2 = force\nwords = 2 --force\n"
 def test_mistakes_are_refused_in_a_sentence_with_the_line(read, part, new, sentence):
     Path("bad.h5").write_bytes(BASE.read_bytes()[:-1])
     Path("empty.csv").touch()
-    Path("one.csv").write_text("tau-bar\n0.1\n")
+    for name, heading in {"one": "tau-bar", "kept": "s.h5", "labels": "variant"}.items():
+        Path(f"{name}.csv").write_text(f"{heading}\n0.1\n")
     assert part in SWEEP
     text = SWEEP.replace(part, new, 1)
     named = [line for line in OTHERS.splitlines() if f"{{{line.split(' = ')[0]}}}" in new]

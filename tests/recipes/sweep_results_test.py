@@ -42,9 +42,11 @@ def test_a_table_has_units_in_its_headings(tmp_path):
 
 
 def test_texts_are_no_formulas_and_stay_in_one_line():
-    cells = ["=cmd|x!A0", "@SUM(1)", "-x", "-0.1", "a\x1b]0;", None, True]
-    texts = ["'=cmd|x!A0", "'@SUM(1)", "'-x", "-0.1", "a?]0;", "", "true"]
-    assert Column("a", "", cells).texts == texts
+    formulas = ["=cmd|x!A0", "@SUM(1)", "-x", "-1+cmd|calc!A0", "+.5*A1", "-1 from A1"]
+    others = ["-0.1", "+.5e-3", "-3 mm/s", "1+1", "a\x1b]0;", None, True]
+    texts = ["-0.1", "+.5e-3", "-3 mm/s", "1+1", "a?]0;", "", "true"]
+    assert Column("a", "", formulas).texts == [f"'{text}" for text in formulas]
+    assert Column("a", "", others).texts == texts
 
 
 def test_numbers_are_in_the_unit_of_their_column():

@@ -53,6 +53,15 @@ def test_a_test_of_ones_own_notices_that_results_changed(prefix, folder, monkeyp
     assert "\n3 changed\n" in said.stdout
 
 
+@pytest.mark.parametrize("where", [BUILD / "bin", None])
+def test_programs_look_for_libraries_only_where_the_system_does(where, prefix):
+    folder = where or prefix / "libexec/rupture"
+    programs = [path for path in folder.iterdir() if path.read_bytes()[:4] == b"\x7fELF"]
+    assert programs
+    for program in programs:
+        assert "PATH)" not in succeeds("readelf", "--dynamic", program).stdout
+
+
 def test_rupture_finds_its_tools_and_recipes_and_writes_where_it_is_called(prefix, folder):
     work, rupture = folder / f"work in {ODD}", prefix / "bin/rupture"
     work.mkdir()

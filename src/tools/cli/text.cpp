@@ -12,15 +12,15 @@ namespace rupture::tools {
 std::string text_of_file(const std::string& path, std::string_view what, std::string_view form,
                          std::size_t longest) {
   std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
+  std::string text(longest + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad() || std::filesystem::is_directory(path)) {
     const Failure failure("cannot read the {} {}; give the path of a readable {}", what, path,
                           form);
     std::error_code ignored;
     if (std::filesystem::is_regular_file(path, ignored)) throw MachineFailure(failure.what());
     throw failure;
   }
-  std::string text(longest + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > longest) {
     throw Failure("the {} {} is longer than {} bytes; give the path of a shorter {}", what, path,
