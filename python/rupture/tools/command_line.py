@@ -55,6 +55,13 @@ def version_text(parser):
     return output_of("analyze", "--version").strip().replace("analyze", parser.name, 1)
 
 
+def check_short_options(words):
+    for word in takewhile("--".__ne__, sys.argv[1:] if words is None else words):
+        if re.match("-[A-Za-z]+=", word):
+            why = "has an '=' behind a short option: leave a blank, as in -o x.h5"
+            raise UsageError(f"'{word}' {why}")
+
+
 class Parser(argparse.ArgumentParser):
     """Has the options of all programs. `synopsis` begins with the name, `inputs` is the kind of the
     positional arguments. Metavars tell the kinds of values (KINDS)."""
@@ -84,11 +91,12 @@ class Parser(argparse.ArgumentParser):
         return options
 
     def parse_known_args(self, args=None, namespace=None):
-        for word in takewhile("--".__ne__, sys.argv[1:] if args is None else args):
-            if re.match("-[A-Za-z]+=", word):
-                why = "has an '=' behind a short option: leave a blank, as in -o x.h5"
-                raise UsageError(f"'{word}' {why}")
+        check_short_options(args)
         return super().parse_known_args(args, namespace)
+
+    def parse_known_intermixed_args(self, args=None, namespace=None):
+        check_short_options(args)  # Python 3.13 no longer calls the function above
+        return super().parse_known_intermixed_args(args, namespace)
 
     def error(self, message):
         raise UsageError(f"{message}; see {self.prog} --help")
