@@ -30,7 +30,11 @@ in_debian() {
     "$debian" http_proxy="${http_proxy-}" "$@"
 }
 
-sums_of() { (cd "$1" && grep -rsoE --include='*.json' '"[^"]+\.h5": "[0-9a-f]{64}"' results/store | sort); }
+# Of the contents: files also have the date and the build.
+sums_of() {
+  (cd "$1" && grep -rhsoE --include='*.json' '"checksums": \{[^}]*\}' results/store) |
+    grep -oE '"[^"]+\.h5": "[0-9a-f]{64}"' | sort
+}
 
 compare() {
   local theirs different

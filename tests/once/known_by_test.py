@@ -162,7 +162,7 @@ def test_any_program_can_be_run(lab):
     assert open(made).read() == "text"
     with pytest.raises(Failure, match="'cp a b' has not written c"):
         open(run(f"cp {lab.folder}/a b")["c"])
-    with pytest.raises(Failure, match="'cp nothing b' ended with 1: .*"):
+    with pytest.raises(Failure, match="cannot stat .nothing."):
         open(run("cp nothing b")["b"])
 
 
