@@ -168,7 +168,8 @@ def test_names_that_a_file_lacks_and_closed_files(small):
 
 def test_errors_are_failures_whatever_was_given(folder):
     fails("^None is not the name of a file: expected str, .*; give the path", rupture.open, None)
-    fails("^'a.x00b' is not the name of a file: .*embedded null", rupture.open, "a\0b")
+    null = "(embedded null byte|stat: embedded null character in path); give the path"
+    fails(f"^'a.x00b' is not the name of a file: {null}", rupture.open, "a\0b")
     fails("^program  not found", rupture.run, "", output="x.h5")
     fails("^load cannot be started: embedded null byte; check", rupture.run, "load", output="a\0b")
     many = {"junctions.mu_s": np.full(65536, 1 / 3)}

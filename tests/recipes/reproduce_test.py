@@ -23,7 +23,10 @@ REFUSED = [  # a command line, and the sentence
     ("--dry-run all", "--dry-run is for figures and for sweep$"),
     ("fig3 --cores 0", "argument --cores: must be a whole number, 1 or more"),
     ("fig3 --from", "unrecognized arguments: --from"),
-    ("fig3 --profile slurm", "unrecognized arguments: --profile"),
+    (
+        "fig3 --profile slurm",
+        "unrecognized arguments: --profile( slurm)?; see ./reproduce.sh --help$",
+    ),
     ("fig3 --programs /nope", "argument --programs: the programs are not in '/nope': there is no"),
     ("fig33", "there is no figure or command 'fig33': did you mean 'fig3'\\?$"),
     ("xyz", "there is no figure or command 'xyz': see ./reproduce.sh list$"),
