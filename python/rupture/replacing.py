@@ -26,15 +26,19 @@ def temporary_for(path):
     """Yields a new, empty, hidden file beside `path`, with the mode of `path`.
     Deletes it at the end."""
     temporary = path.with_name(f".{path.stem}.tmp.{secrets.token_hex(4)}{path.suffix}")
-    temporary.touch(exist_ok=False)
-    unfinished.add(temporary)
+    unfinished.add(temporary)  # as long as it may be there: a signal can come at any time
+    try:
+        temporary.touch(exist_ok=False)
+    except OSError:  # what is there is not ours
+        unfinished.remove(temporary)
+        raise
     try:
         with suppress(OSError):  # there is none, or no mode
             shutil.copymode(path, temporary)
         yield temporary
     finally:
-        unfinished.remove(temporary)
         temporary.unlink(missing_ok=True)
+        unfinished.remove(temporary)
 
 
 @contextmanager

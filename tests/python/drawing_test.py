@@ -5,6 +5,7 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
@@ -176,6 +177,27 @@ def test_interrupted_ends_by_the_signal_and_leaves_nothing(small, number):
         it.send_signal(number)
         assert it.communicate()[1] == b""
     assert (it.returncode, sorted(Path().iterdir())) == (-number, before)
+
+
+@pytest.mark.parametrize("at", ["touch: real(*words, **named); kill()", "unlink: kill()"])
+def test_a_signal_at_the_moment_of_a_call_leaves_no_file(folder, at):
+    call, body = at.split(": ")
+    code = f"""
+import os, signal
+from pathlib import Path
+from rupture import replacing
+signal.signal(signal.SIGUSR2, replacing.end_by_signal)
+kill = lambda: os.kill(os.getpid(), signal.SIGUSR2)
+real = Path.{call}
+def {call}(*words, **named):
+    Path.{call} = real
+    {body}
+Path.{call} = {call}
+with replacing.temporary_for(Path("z.gif")):
+    pass
+"""
+    ended = subprocess.run([sys.executable, "-c", code], check=False)
+    assert (ended.returncode, list(Path().glob(".z.tmp.*"))) == (-signal.SIGUSR2, [])
 
 
 def test_frames_are_even_and_in_the_window():
