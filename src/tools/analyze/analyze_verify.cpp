@@ -90,7 +90,7 @@ std::optional<ListedFile> listed_in(std::string_view line) {
 }
 
 /// The lines of a list of checksums; none if the file does not begin with one. Throws Failure if
-/// another line is none.
+/// another line is none, or if the list cannot be read to its end.
 std::vector<ListedFile> read_list(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return {};
@@ -111,6 +111,9 @@ std::vector<ListedFile> read_list(const fs::path& path) {
           path.string(), in_one_line(text));
     }
     lines.push_back(*std::move(line));
+  }
+  if (file.bad()) {
+    throw MachineFailure("cannot read {} to its end; copy the list again", path.string());
   }
   return lines;
 }

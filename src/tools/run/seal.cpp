@@ -76,8 +76,12 @@ std::string digest_of_script(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) throw failure;
   file.open(path, std::ios::binary);
   if (!file.is_open()) throw MachineFailure(failure.what());
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return sha256(std::as_bytes(std::span(text)));
+  try {
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return sha256(std::as_bytes(std::span(text)));
+  } catch (const std::ios_base::failure&) {
+    throw MachineFailure(failure.what());
+  }
 }
 
 int seal(const Parsed& parsed) {
