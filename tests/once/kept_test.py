@@ -21,8 +21,11 @@ def front(start="a.h5", line="load -o a.h5", words="", keep=()):
 
 
 def files_of(lab):
-    """Those that are there while a call needs them."""
-    return sorted(str(path.relative_to(lab.store / "now")) for path in lab.store.glob("now/*/*"))
+    """Those that are there while a call needs them. Another thread may delete a folder meanwhile,
+    which os.walk passes over."""
+    now = lab.store / "now"
+    found = (Path(folder, name) for folder, _, names in os.walk(now) for name in names)
+    return sorted(str(path.relative_to(now)) for path in found)
 
 
 # --- files that go
