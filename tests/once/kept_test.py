@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 from contextlib import suppress
+from glob import glob
 from pathlib import Path
 
 import pytest
@@ -20,12 +21,18 @@ def front(start="a.h5", line="load -o a.h5", words="", keep=()):
     return run(f"analyze front {run(line, keep)[start]} {words}")
 
 
+def listed(lab):
+    """Unlike Path.glob, this passes over a folder that another thread deletes meanwhile."""
+    return sorted(glob("*/*", root_dir=lab.store / "now", include_hidden=True))
+
+
 def files_of(lab):
-    """Those that are there while a call needs them. Another thread may delete a folder meanwhile,
-    which os.walk passes over."""
-    now = lab.store / "now"
-    found = (Path(folder, name) for folder, _, names in os.walk(now) for name in names)
-    return sorted(str(path.relative_to(now)) for path in found)
+    """Those that are there at one moment while a call needs them: between two listings that agree,
+    for files come and go in other threads."""
+    before, after = None, listed(lab)
+    while before != after:
+        before, after = after, listed(lab)
+    return after
 
 
 # --- files that go
